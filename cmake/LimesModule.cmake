@@ -1,0 +1,16 @@
+# limes_module(NAME DEPENDS...): one library per folder of src/limes, named limes_NAME.
+# DEPENDS are other modules (see scripts/check_layers.py) or imported targets.
+function(limes_module name)
+  file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${name}/*.h)
+  if(sources)
+    add_library(limes_${name} STATIC ${sources} ${headers})
+    set(scope PUBLIC)
+  else()
+    add_library(limes_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(limes::${name} ALIAS limes_${name})
+  target_include_directories(limes_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(limes_${name} ${scope} ${ARGN})
+endfunction()

@@ -1,0 +1,82 @@
+#include <algorithm>
+
+#include "limes/subdiv/crease.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+
+// Catmull-Clark subdivision [catmull_clark_1978] with the creases, corners and boundaries of
+// [derose_1998] as OpenSubdiv defines them.
+
+void catmull_clark_face(const FaceNeighbourhood& n, Stencil& out) {
+  out.add(1.0 / static_cast<double>(n.corners.size()), n.corners);
+}
+
+namespace {
+
+/// Weight of a face point at a smooth edge; 0.47 for triangles keeps meshes of triangles smooth
+/// ('t smoothtriangles', [stam_loop_2003] as OpenSubdiv uses it).
+double edge_face_weight(const EdgeNeighbourhood& n, bool smooth_triangles) {
+  if (!smooth_triangles) return 0.25;
+  const auto weight = [](int face_size) { return face_size == 3 ? 0.470 : 0.25; };
+  return 0.5 * (weight(n.face_sizes[0]) + weight(n.face_sizes[1]));
+}
+
+/// V' = (n - 2)/n V + 1/n^2 sum of neighbours + 1/n^2 sum of new face points, [catmull_clark_1978]
+/// in the second form of [barendrecht_2013] eq. (1).
+void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
+  const double n = static_cast<double>(v.faces.size());
+  const double w = scale * (1.0 / (n * n));
+  if (v.faces.size() != 2) out.add(scale * ((n - 2.0) / n), v.vertex);
+  out.add(w, v.neighbours);
+  out.add(w, v.faces);
+}
+
+void crease_vertex(const VertexNeighbourhood& v, std::span<const float> edge_sharpness,
+                   double scale, Stencil& out) {
+  const auto [first, last] = crease_ends(edge_sharpness);
+  const std::array<VertexId, 2> ends = {v.neighbours[first], v.neighbours[last]};
+  out.add(scale * 0.75, v.vertex);
+  out.add(scale * 0.125, ends);
+}
+
+void add_rule(VertexRule rule, const VertexNeighbourhood& v, std::span<const float> edge_sharpness,
+              double scale, Stencil& out) {
+  switch (rule) {
+    case VertexRule::smooth:
+    case VertexRule::dart:
+      return smooth_vertex(v, scale, out);
+    case VertexRule::crease:
+      return crease_vertex(v, edge_sharpness, scale, out);
+    case VertexRule::corner:
+      return out.add(scale, v.vertex);
+  }
+}
+
+}  // namespace
+
+void catmull_clark_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out) {
+  if (is_sharp(n.sharpness) && n.child_sharp) {
+    out.add(0.5, n.ends);
+    return;
+  }
+  // Smooth, or in its last semi-sharp step: sharpness blends the two rules.
+  const double sharp = static_cast<double>(n.sharpness);
+  const double face = edge_face_weight(n, features.smooth_triangles);
+  out.add(sharp * 0.5 + (1.0 - sharp) * (0.5 - face), n.ends);
+  out.add((1.0 - sharp) * face, n.faces);
+}
+
+void catmull_clark_vertex(const VertexNeighbourhood& v, Stencil& out) {
+  const VertexRule rule = vertex_rule(v.sharpness, v.edge_sharpness);
+  if (rule == VertexRule::smooth || rule == VertexRule::dart)
+    return add_rule(rule, v, v.edge_sharpness, 1.0, out);
+  const VertexRule child_rule = vertex_rule(v.child_sharpness, v.child_edge_sharpness);
+  if (rule == child_rule) return add_rule(rule, v, v.edge_sharpness, 1.0, out);
+  const double weight = static_cast<double>(
+      transition_weight(v.sharpness, v.child_sharpness, v.edge_sharpness, v.child_edge_sharpness));
+  add_rule(rule, v, v.edge_sharpness, weight, out);
+  add_rule(child_rule, v, v.child_edge_sharpness, 1.0 - weight, out);
+}
+
+}  // namespace limes

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "limes/core/id_array.h"
+#include "limes/mesh/adjacency.h"
+#include "limes/mesh/tags.h"
+
+namespace limes {
+
+struct SharpEdge {
+  HalfedgeId halfedge;  ///< the edge's first halfedge
+  float sharpness;      ///< > 0
+  friend bool operator==(const SharpEdge&, const SharpEdge&) = default;
+};
+
+struct SharpVertex {
+  VertexId vertex;
+  float sharpness;  ///< > 0
+  friend bool operator==(const SharpVertex&, const SharpVertex&) = default;
+};
+
+/// What the rules of a scheme need besides the topology: tags resolved to its edges and vertices.
+/// Boundary edges are always infinitely sharp and not listed.
+struct Features {
+  std::vector<SharpEdge> edges;       ///< ascending by halfedge
+  std::vector<SharpVertex> vertices;  ///< ascending
+  CreaseMethod crease_method = CreaseMethod::uniform;
+  bool smooth_triangles = false;
+};
+
+/// Resolves a mesh's tags. With edges_and_corners, boundary vertices with one face become corners.
+/// @throws InputError for a crease tag on a pair of vertices that no edge joins, or a vertex that
+///         does not exist
+[[nodiscard]] Features resolve_tags(const Adjacency& adjacency, const Tags& tags,
+                                    BoundaryRule boundary);
+
+/// The inverse, for files: features of a refined mesh as tags.
+[[nodiscard]] Tags tags_of(const Adjacency& adjacency, const Features& features);
+
+/// Sharpness by edge and vertex, dense; no memory where nothing is sharp.
+class Sharpness {
+ public:
+  Sharpness(const Adjacency& adjacency, const Features& features);
+
+  /// Sharpness of an edge; infinite on the boundary.
+  [[nodiscard]] float edge(EdgeId e) const {
+    if (adjacency_->is_boundary(e)) return infinite_sharpness;
+    return edges_.empty() ? 0.0F : edges_[e];
+  }
+  [[nodiscard]] float vertex(VertexId v) const { return vertices_.empty() ? 0.0F : vertices_[v]; }
+
+ private:
+  const Adjacency* adjacency_;
+  IdArray<EdgeId, float> edges_;
+  IdArray<VertexId, float> vertices_;
+};
+
+}  // namespace limes

@@ -1,0 +1,75 @@
+#include "limes/subdiv/neighbourhood.h"
+
+#include <algorithm>
+
+#include "limes/subdiv/crease.h"
+
+namespace limes {
+
+void NeighbourhoodWalk::collect_ring(VertexId v) {
+  neighbours_.clear();
+  faces_.clear();
+  edges_.clear();
+  const Adjacency& a = *adjacency_;
+  const HalfedgeId start = a.ring_start(v);
+  for (HalfedgeId h = start; h.valid();) {
+    neighbours_.push_back(a.to(h));
+    edges_.push_back(a.edge(h));
+    faces_.push_back(a.face(h));
+    const HalfedgeId in = a.prev(h);
+    const HalfedgeId next = a.twin(in);
+    if (!next.valid()) {
+      neighbours_.push_back(a.from(in));
+      edges_.push_back(a.edge(in));
+    }
+    if (next == start) break;
+    h = next;
+  }
+  edge_sharpness_.clear();
+  for (const EdgeId e : edges_)
+    edge_sharpness_.push_back(sharpness_->edge(e));
+}
+
+void NeighbourhoodWalk::collect_child_sharpness() {
+  child_edge_sharpness_.clear();
+  for (std::size_t i = 0; i < edge_sharpness_.size(); ++i)
+    child_edge_sharpness_.push_back(
+        decayed_at_vertex(features_->crease_method, i, edge_sharpness_));
+}
+
+VertexNeighbourhood NeighbourhoodWalk::vertex(VertexId v) {
+  collect_ring(v);
+  collect_child_sharpness();
+  const float s = sharpness_->vertex(v);
+  return {v, neighbours_, faces_, s, decayed(s), edge_sharpness_, child_edge_sharpness_};
+}
+
+float NeighbourhoodWalk::child_sharpness_at_start(HalfedgeId h) {
+  const EdgeId e = adjacency_->edge(h);
+  const float s = sharpness_->edge(e);
+  if (features_->crease_method == CreaseMethod::uniform || is_infinite(s)) return decayed(s);
+  collect_ring(adjacency_->from(h));
+  const auto at = std::find(edges_.begin(), edges_.end(), e);
+  return decayed_at_vertex(features_->crease_method, static_cast<std::size_t>(at - edges_.begin()),
+                           edge_sharpness_);
+}
+
+EdgeNeighbourhood NeighbourhoodWalk::edge(EdgeId e) {
+  const Adjacency& a = *adjacency_;
+  const HalfedgeId h = a.halfedge(e);
+  const HalfedgeId twin = a.twin(h);
+  EdgeNeighbourhood n;
+  n.ends = {a.from(h), a.to(h)};
+  n.num_faces = twin.valid() ? 2 : 1;
+  n.faces = {a.face(h), twin.valid() ? a.face(twin) : FaceId()};
+  n.face_sizes = {a.topology().face_size(n.faces[0]),
+                  twin.valid() ? a.topology().face_size(n.faces[1]) : 0};
+  n.sharpness = sharpness_->edge(e);
+  // The other end is the start of the twin; a boundary edge has none but is infinitely sharp.
+  n.child_sharp = is_sharp(n.sharpness) &&
+                  (is_infinite(n.sharpness) || (is_sharp(child_sharpness_at_start(h)) &&
+                                                is_sharp(child_sharpness_at_start(twin))));
+  return n;
+}
+
+}  // namespace limes

@@ -1,0 +1,268 @@
+#include "limes/subdiv/refine.h"
+
+#include <memory>
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+#include "limes/core/parallel.h"
+#include "limes/subdiv/split.h"
+
+namespace limes {
+namespace {
+
+void require_faces(const Topology& topology, const Scheme& scheme) {
+  if (scheme.faces == FaceKind::polygons) return;
+  const int wanted = scheme.faces == FaceKind::quads ? 4 : 3;
+  for (int f = 0; f < topology.num_faces(); ++f)
+    if (topology.face_size(FaceId(f)) != wanted)
+      throw InputError("face {} has {} corners; {} takes faces with {} only", f,
+                       topology.face_size(FaceId(f)), scheme.name, wanted);
+}
+
+/// Adds a stencil to one matrix row, faces replaced by their corners.
+void append_row(int row, const Stencil& stencil, const Topology& topology,
+                std::vector<Triplet>& out) {
+  for (const Stencil::Group& g : stencil.groups()) {
+    for (const std::int32_t id : stencil.ids(g)) {
+      if (g.source == Stencil::Source::vertex) {
+        out.emplace_back(row, id, g.weight);
+        continue;
+      }
+      const auto corners = topology.face(FaceId(id));
+      const double w = g.weight / static_cast<double>(corners.size());
+      for (const VertexId v : corners)
+        out.emplace_back(row, v.value, w);
+    }
+  }
+}
+
+}  // namespace
+
+RefinementStep::RefinementStep(const Adjacency& parent, const Features& features,
+                               const Scheme& scheme)
+    : parent_(&parent), features_(&features), scheme_(&scheme), sharpness_(parent, features) {
+  require_faces(parent.topology(), scheme);
+}
+
+int RefinementStep::num_child_vertices() const {
+  const Topology& t = parent_->topology();
+  return t.num_vertices() + parent_->num_edges() + t.num_faces();
+}
+
+Topology RefinementStep::child_topology() const {
+  return quadrisect(*parent_);
+}
+
+Features RefinementStep::child_features() const {
+  return quadrisect_features(*parent_, *features_);
+}
+
+void RefinementStep::face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const {
+  out.clear();
+  scheme_->face_rule(walk.face(f), out);
+}
+
+void RefinementStep::edge_stencil(NeighbourhoodWalk& walk, EdgeId e, Stencil& out) const {
+  out.clear();
+  scheme_->edge_rule(walk.edge(e), *features_, out);
+}
+
+void RefinementStep::vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const {
+  out.clear();
+  if (parent_->ring_start(v).valid())
+    scheme_->vertex_rule(walk.vertex(v), out);
+  else
+    out.add(1.0, v);
+}
+
+template <class Value>
+void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value> fine) const {
+  const Topology& topology = parent_->topology();
+  LIMES_ASSERT(static_cast<int>(coarse.size()) == topology.num_vertices());
+  LIMES_ASSERT(static_cast<int>(fine.size()) == num_child_vertices());
+  const QuadrisectionIds ids = quadrisection_ids(*parent_);
+  const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
+  const auto slot = [&](VertexId v) -> Value& { return fine[static_cast<std::size_t>(v.value)]; };
+  const auto face_value = [&](std::int32_t f) { return slot(ids.of_face(FaceId(f))); };
+
+  // Face points first: the other rules read them.
+  const auto run = [&](int count, const auto& write) {
+    for_each_block(count, 512, [&](std::int64_t begin, std::int64_t end) {
+      NeighbourhoodWalk own_walk = walk();
+      Stencil stencil;
+      for (std::int64_t i = begin; i < end; ++i) {
+        const VertexId target = write(own_walk, i, stencil);
+        slot(target) = apply_stencil<Value>(stencil, old_value, face_value);
+      }
+    });
+  };
+  run(topology.num_faces(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
+    face_stencil(w, FaceId(i), s);
+    return ids.of_face(FaceId(i));
+  });
+  run(parent_->num_edges(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
+    edge_stencil(w, EdgeId(i), s);
+    return ids.of_edge(EdgeId(i));
+  });
+  run(topology.num_vertices(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
+    vertex_stencil(w, VertexId(i), s);
+    return ids.of_vertex(VertexId(i));
+  });
+}
+
+void RefinementStep::apply(std::span<const double> coarse, std::span<double> fine) const {
+  apply_values(coarse, fine);
+}
+void RefinementStep::apply(std::span<const Vec2> coarse, std::span<Vec2> fine) const {
+  apply_values(coarse, fine);
+}
+void RefinementStep::apply(std::span<const Vec3> coarse, std::span<Vec3> fine) const {
+  apply_values(coarse, fine);
+}
+
+SparseMatrix RefinementStep::matrix() const {
+  const Topology& topology = parent_->topology();
+  const QuadrisectionIds ids = quadrisection_ids(*parent_);
+  std::vector<Triplet> entries;
+  Stencil stencil;
+  NeighbourhoodWalk own_walk = walk();
+  for (int v = 0; v < topology.num_vertices(); ++v) {
+    vertex_stencil(own_walk, VertexId(v), stencil);
+    append_row(ids.of_vertex(VertexId(v)).value, stencil, topology, entries);
+  }
+  for (int e = 0; e < parent_->num_edges(); ++e) {
+    edge_stencil(own_walk, EdgeId(e), stencil);
+    append_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
+  }
+  for (int f = 0; f < topology.num_faces(); ++f) {
+    face_stencil(own_walk, FaceId(f), stencil);
+    append_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
+  }
+  SparseMatrix S(num_child_vertices(), topology.num_vertices());
+  S.setFromTriplets(entries.begin(), entries.end());
+  return S;
+}
+
+namespace {
+
+/// Child faces of a sorted list of faces, ascending.
+std::vector<FaceId> children_of(const Topology& parent, const std::vector<FaceId>& faces) {
+  std::vector<FaceId> children;
+  for (const FaceId f : faces)
+    for (int i = 0; i < parent.face_size(f); ++i)
+      children.push_back(quadrisection_child(parent.halfedge(f, i)));
+  return children;
+}
+
+std::vector<FaceGroup> children_of(const Topology& parent, const std::vector<FaceGroup>& groups) {
+  std::vector<FaceGroup> children;
+  for (const FaceGroup& g : groups)
+    children.push_back({g.name, children_of(parent, g.faces)});
+  return children;
+}
+
+/// Faces with a vertex on the boundary.
+std::vector<bool> boundary_faces(const Adjacency& adjacency) {
+  const Topology& topology = adjacency.topology();
+  std::vector<bool> result(static_cast<std::size_t>(topology.num_faces()), false);
+  for (int f = 0; f < topology.num_faces(); ++f)
+    for (const VertexId v : topology.face(FaceId(f)))
+      if (adjacency.is_boundary(v)) result[static_cast<std::size_t>(f)] = true;
+  return result;
+}
+
+/// The mesh without the faces that are marked, and without vertices that only they used.
+Mesh without_faces(const Mesh& mesh, const std::vector<bool>& drop) {
+  const Topology& topology = mesh.topology;
+  IdArray<FaceId, FaceId> new_face(static_cast<std::size_t>(topology.num_faces()));
+  IdArray<VertexId, VertexId> new_vertex(static_cast<std::size_t>(topology.num_vertices()));
+  Mesh out;
+  std::vector<int> offsets{0};
+  std::vector<VertexId> corners;
+  for (int i = 0; i < topology.num_faces(); ++i) {
+    if (drop[static_cast<std::size_t>(i)]) continue;
+    new_face[FaceId(i)] = FaceId(static_cast<std::int64_t>(offsets.size()) - 1);
+    for (const VertexId v : topology.face(FaceId(i))) {
+      new_vertex[v] = VertexId(0);  // used; numbered below, in the old order
+      corners.push_back(v);
+    }
+    offsets.push_back(static_cast<int>(corners.size()));
+  }
+  for (int v = 0; v < topology.num_vertices(); ++v) {
+    if (!new_vertex[VertexId(v)].valid()) continue;
+    new_vertex[VertexId(v)] = VertexId(out.points.size());
+    out.points.push_back(mesh.points[VertexId(v)]);
+  }
+  for (VertexId& v : corners)
+    v = new_vertex[v];
+  out.topology = Topology(out.points.size(), std::move(offsets), std::move(corners));
+
+  const auto keep = [&](const std::vector<FaceId>& faces) {
+    std::vector<FaceId> kept;
+    for (const FaceId f : faces)
+      if (new_face[f].valid()) kept.push_back(new_face[f]);
+    return kept;
+  };
+  for (const FaceGroup& g : mesh.groups)
+    out.groups.push_back({g.name, keep(g.faces)});
+  for (const FaceGroup& g : mesh.parts)
+    out.parts.push_back({g.name, keep(g.faces)});
+  out.tags = mesh.tags;
+  out.tags.holes = keep(mesh.tags.holes);
+  std::erase_if(out.tags.creases, [&](const CreaseTag& t) {
+    return !new_vertex[t.a].valid() || !new_vertex[t.b].valid();
+  });
+  for (CreaseTag& t : out.tags.creases)
+    t = {new_vertex[t.a], new_vertex[t.b], t.sharpness};
+  std::erase_if(out.tags.corners,
+                [&](const CornerTag& t) { return !new_vertex[t.vertex].valid(); });
+  for (CornerTag& t : out.tags.corners)
+    t.vertex = new_vertex[t.vertex];
+  return out;
+}
+
+}  // namespace
+
+Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+  Mesh current = mesh;
+  current.face_lines.clear();
+  auto adjacency = std::make_unique<Adjacency>(current.topology);
+  Features features = resolve_tags(*adjacency, mesh.tags, options.boundary);
+  std::vector<bool> dropped;
+  if (options.boundary == BoundaryRule::none) dropped = boundary_faces(*adjacency);
+
+  for (int level = 0; level < options.levels; ++level) {
+    check_interrupt();
+    const RefinementStep step(*adjacency, features, scheme);
+    Mesh child;
+    child.topology = step.child_topology();
+    child.points.resize(static_cast<std::size_t>(step.num_child_vertices()));
+    step.apply(current.points.span(), child.points.span());
+    Features child_features = step.child_features();
+    child.tags.holes = children_of(current.topology, current.tags.holes);
+    child.groups = children_of(current.topology, current.groups);
+    child.parts = children_of(current.topology, current.parts);
+    if (!dropped.empty()) {
+      std::vector<bool> children;
+      for (int f = 0; f < current.topology.num_faces(); ++f)
+        children.insert(children.end(),
+                        static_cast<std::size_t>(current.topology.face_size(FaceId(f))),
+                        dropped[static_cast<std::size_t>(f)]);
+      dropped = std::move(children);
+    }
+    current = std::move(child);
+    features = std::move(child_features);
+    adjacency = std::make_unique<Adjacency>(current.topology);
+  }
+
+  const std::vector<FaceId> holes = std::move(current.tags.holes);
+  current.tags = tags_of(*adjacency, features);
+  current.tags.holes = holes;
+  current.tags.boundary = mesh.tags.boundary;
+  adjacency.reset();
+  if (!dropped.empty()) return without_faces(current, dropped);
+  return current;
+}
+
+}  // namespace limes

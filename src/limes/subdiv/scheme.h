@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "limes/subdiv/neighbourhood.h"
+#include "limes/subdiv/stencil.h"
+
+namespace limes {
+
+/// Which faces a scheme can start from.
+enum class FaceKind { polygons, quads, triangles };
+
+/// How topology splits, see split.h.
+enum class Split { quadrisect };
+
+/// A subdivision scheme: how topology splits, and for each new vertex the weights of the old ones.
+/// A rule sees a neighbourhood, never a mesh; it writes a cleared stencil. The schemes are rows of
+/// all_schemes (schemes.h).
+struct Scheme {
+  std::string_view name;
+  std::string_view summary;  ///< one line for people
+  FaceKind faces;
+  Split split;
+  bool linear;            ///< refinement is a matrix, the same for positions and any other field
+  bool needs_positions;   ///< topology of the next level depends on positions
+  bool polynomial_limit;  ///< regular faces have a polynomial limit: exact patches exist
+
+  void (*face_rule)(const FaceNeighbourhood&, Stencil&);
+  void (*edge_rule)(const EdgeNeighbourhood&, const Features&, Stencil&);
+  void (*vertex_rule)(const VertexNeighbourhood&, Stencil&);
+};
+
+}  // namespace limes

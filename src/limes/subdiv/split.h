@@ -1,0 +1,41 @@
+#pragma once
+
+#include "limes/mesh/adjacency.h"
+#include "limes/subdiv/features.h"
+
+namespace limes {
+
+// Quadrisection: every face becomes one quad per corner.
+//
+// Numbering, level by level: old vertices keep their ids, then one vertex per edge (edges in order
+// of first appearance in (face, corner) order), then one per face. The child at corner i of a face
+// is (v_i, e_i, f, e_{i-1}) and has the id of the halfedge at that corner, so ancestry is
+// arithmetic: the parent of child c is the face of halfedge c, and for quads c / 4.
+
+struct QuadrisectionIds {
+  int num_vertices;  ///< of the parent
+  int num_edges;     ///< of the parent
+
+  [[nodiscard]] VertexId of_vertex(VertexId v) const { return v; }
+  [[nodiscard]] VertexId of_edge(EdgeId e) const { return VertexId(num_vertices + e.value); }
+  [[nodiscard]] VertexId of_face(FaceId f) const {
+    return VertexId(num_vertices + num_edges + f.value);
+  }
+};
+
+[[nodiscard]] inline QuadrisectionIds quadrisection_ids(const Adjacency& parent) {
+  return {parent.topology().num_vertices(), parent.num_edges()};
+}
+
+/// Child face at the corner where h starts.
+[[nodiscard]] inline FaceId quadrisection_child(HalfedgeId h) {
+  return FaceId(h.value);
+}
+
+/// @throws InputError if the child would have more than 2^31 - 1 corners or vertices
+[[nodiscard]] Topology quadrisect(const Adjacency& parent);
+
+/// The sharpness that is left one level down.
+[[nodiscard]] Features quadrisect_features(const Adjacency& parent, const Features& features);
+
+}  // namespace limes
