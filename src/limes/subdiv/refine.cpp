@@ -20,9 +20,10 @@ void require_faces(const Topology& topology, const Scheme& scheme) {
                        topology.face_size(FaceId(f)), scheme.name, wanted);
 }
 
-/// Adds a stencil to one matrix row, faces replaced by their corners.
-void append_row(int row, const Stencil& stencil, const Topology& topology,
-                std::vector<Triplet>& out) {
+}  // namespace
+
+void append_stencil_row(int row, const Stencil& stencil, const Topology& topology,
+                        std::vector<Triplet>& out) {
   for (const Stencil::Group& g : stencil.groups()) {
     for (const std::int32_t id : stencil.ids(g)) {
       if (g.source == Stencil::Source::vertex) {
@@ -36,8 +37,6 @@ void append_row(int row, const Stencil& stencil, const Topology& topology,
     }
   }
 }
-
-}  // namespace
 
 RefinementStep::RefinementStep(const Adjacency& parent, const Features& features,
                                const Scheme& scheme)
@@ -129,15 +128,15 @@ SparseMatrix RefinementStep::matrix() const {
   NeighbourhoodWalk own_walk = walk();
   for (int v = 0; v < topology.num_vertices(); ++v) {
     vertex_stencil(own_walk, VertexId(v), stencil);
-    append_row(ids.of_vertex(VertexId(v)).value, stencil, topology, entries);
+    append_stencil_row(ids.of_vertex(VertexId(v)).value, stencil, topology, entries);
   }
   for (int e = 0; e < parent_->num_edges(); ++e) {
     edge_stencil(own_walk, EdgeId(e), stencil);
-    append_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
+    append_stencil_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
   }
   for (int f = 0; f < topology.num_faces(); ++f) {
     face_stencil(own_walk, FaceId(f), stencil);
-    append_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
+    append_stencil_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
   }
   SparseMatrix S(num_child_vertices(), topology.num_vertices());
   S.setFromTriplets(entries.begin(), entries.end());

@@ -49,6 +49,10 @@ class RefinementStep {
   [[nodiscard]] NeighbourhoodWalk walk() const { return {*parent_, *features_, sharpness_}; }
 };
 
+/// Adds a stencil to one matrix row, face points replaced by the means of their corners.
+void append_stencil_row(int row, const Stencil& stencil, const Topology& topology,
+                        std::vector<Triplet>& out);
+
 struct RefineOptions {
   int levels = 1;
   BoundaryRule boundary = BoundaryRule::edges;

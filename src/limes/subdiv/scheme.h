@@ -13,6 +13,13 @@ enum class FaceKind { polygons, quads, triangles };
 /// How topology splits, see split.h.
 enum class Split { quadrisect };
 
+/// What a regular quad's limit is.
+enum class LimitPatch {
+  none,      ///< not polynomial
+  bilinear,  ///< of the face's own corners
+  bicubic    ///< uniform cubic B-spline of the 16 control points around the face
+};
+
 /// A subdivision scheme: how topology splits, and for each new vertex the weights of the old ones.
 /// A rule sees a neighbourhood, never a mesh; it writes a cleared stencil. The schemes are rows of
 /// all_schemes (schemes.h).
@@ -21,9 +28,10 @@ struct Scheme {
   std::string_view summary;  ///< one line for people
   FaceKind faces;
   Split split;
-  bool linear;            ///< refinement is a matrix, the same for positions and any other field
-  bool needs_positions;   ///< topology of the next level depends on positions
-  bool polynomial_limit;  ///< regular faces have a polynomial limit: exact patches exist
+  bool linear;           ///< refinement is a matrix, the same for positions and any other field
+  bool needs_positions;  ///< topology of the next level depends on positions
+  LimitPatch patch;
+  int reach;  ///< rings of faces around a face that its limit depends on
 
   void (*face_rule)(const FaceNeighbourhood&, Stencil&);
   void (*edge_rule)(const EdgeNeighbourhood&, const Features&, Stencil&);

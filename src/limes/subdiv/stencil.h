@@ -98,7 +98,8 @@ Value apply_stencil(const Stencil& stencil, const VertexValue& vertices,
     return g.weight * sum_group(ids, face_points);
   };
   Value result = term(stencil.groups()[0]);
-  for (const Stencil::Group& g : stencil.groups().subspan(1)) result = result + term(g);
+  for (const Stencil::Group& g : stencil.groups().subspan(1))
+    result = result + term(g);
   return result;
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace limes {
+
+/// A file that appears complete or not at all: writes go to a temporary file in the same folder,
+/// commit() renames it to the target; without commit() the destructor removes it and an older file
+/// stays as it was. A symbolic link is followed. A target that is no regular file (/dev/null, a
+/// pipe) is written directly.
+class AtomicFile {
+ public:
+  /// @throws OutputError "PATH: cannot be written: reason", like every member
+  explicit AtomicFile(const std::filesystem::path& target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  void open();
+  void discard() noexcept;
+  [[noreturn]] void fail(const std::string& reason) const;
+  [[noreturn]] void fail_with_errno() const;
+
+  std::filesystem::path shown_;      // the target as the caller wrote it
+  std::filesystem::path target_;     // links resolved
+  std::filesystem::path temporary_;  // empty: written directly
+  std::FILE* file_ = nullptr;
+};
+
+/// The common case: all bytes at once.
+void write_file(const std::filesystem::path& target, std::string_view bytes);
+
+}  // namespace limes

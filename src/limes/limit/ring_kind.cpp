@@ -1,0 +1,136 @@
+#include "limes/limit/ring_kind.h"
+
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/limit/corner_tangents.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/split.h"
+
+namespace limes {
+namespace {
+
+/// Reads rows of the refinement of a ring, by child vertex.
+class ChildRows {
+ public:
+  ChildRows(const Adjacency& adjacency, const RefinementStep& step)
+      : adjacency_(adjacency), step_(step), walk_(step.walk()) {}
+
+  /// Appends row `row` with the weights of a child vertex of the quadrisection.
+  void append(int row, VertexId child, std::vector<Triplet>& out) {
+    const int num_vertices = adjacency_.topology().num_vertices();
+    const int num_edges = adjacency_.num_edges();
+    if (child.value < num_vertices)
+      step_.vertex_stencil(walk_, child, stencil_);
+    else if (child.value < num_vertices + num_edges)
+      step_.edge_stencil(walk_, EdgeId(child.value - num_vertices), stencil_);
+    else
+      step_.face_stencil(walk_, FaceId(child.value - num_vertices - num_edges), stencil_);
+    append_stencil_row(row, stencil_, adjacency_.topology(), out);
+  }
+
+ private:
+  const Adjacency& adjacency_;
+  const RefinementStep& step_;
+  NeighbourhoodWalk walk_;
+  Stencil stencil_;
+};
+
+/// Left eigenvector of A for the eigenvalue 1, from row `start` of A^k as k grows.
+VectorX limit_row(const SparseMatrix& A, int start) {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(A.cols(), start);
+  // The second eigenvalue is below 0.66 for every valence.
+  for (int k = 0; k < 400; ++k) {
+    const Eigen::RowVectorXd next = row * A;
+    const double change = (next - row).cwiseAbs().maxCoeff();
+    row = next;
+    if (change < 1e-18) break;
+  }
+  return row.transpose() / row.sum();
+}
+
+/// Takes the limit position out of every row: D - (D 1) limit^T.
+void deflate(PatchGrid& D, const VectorX& limit) {
+  const Eigen::Matrix<double, 16, 1> sums = D.rowwise().sum();
+  D.noalias() -= sums * limit.transpose();
+}
+
+}  // namespace
+
+int RingKinds::kind_of(Ring ring) {
+  const auto [it, added] = index_.emplace(ring_key(ring), size());
+  const int index = it->second;
+  if (!added) return index;
+  kinds_.push_back(std::make_unique<RingKind>());
+  tiles_.emplace_back();
+  RingKind& kind = *kinds_.back();
+  kind.ring = std::move(ring);
+  kind.patch = regular_patch(kind.ring, scheme_->patch);
+  if (!kind.patch) {
+    build_children(kind, index);
+    if (kind.self_similar) build_corner(kind);
+  }
+  return index;
+}
+
+void RingKinds::build_children(RingKind& kind, int index) {
+  const Adjacency adjacency(kind.ring.topology);
+  const RefinementStep step(adjacency, kind.ring.features, *scheme_);
+  const Topology child_topology = step.child_topology();
+  const Features child_features = step.child_features();
+  const Adjacency child_adjacency(child_topology);
+  const Sharpness child_sharpness(child_adjacency, child_features);
+  ChildRows rows(adjacency, step);
+  const int num_children = kind.ring.topology.face_size(FaceId(0));
+  for (int i = 0; i < num_children; ++i) {
+    const FaceId child = quadrisection_child(kind.ring.topology.halfedge(FaceId(0), i));
+    Ring ring = gather_ring(child_adjacency, child_features, child_sharpness, *scheme_, child);
+    std::vector<Triplet> entries;
+    for (int row = 0; row < ring.num_controls; ++row)
+      rows.append(row, ring.vertices[static_cast<std::size_t>(row)], entries);
+    SparseMatrix A(ring.num_controls, kind.ring.num_controls);
+    A.setFromTriplets(entries.begin(), entries.end());
+    kind.children.push_back({kind_of(std::move(ring)), std::move(A)});
+  }
+  kind.self_similar = kind.children[0].kind == index;
+}
+
+void RingKinds::build_corner(RingKind& kind) {
+  const SparseMatrix& A = kind.children[0].A;
+  kind.limit = limit_row(A, 0);
+  kind.tangents = corner_tangents(kind.ring, A);
+}
+
+const Tile& RingKinds::tile(int kind, const std::string& path) const {
+  const std::lock_guard lock(mutex_);
+  return tile_locked(kind, path);
+}
+
+const Tile& RingKinds::tile_locked(int kind, const std::string& path) const {
+  Tiles& tiles = tiles_[static_cast<std::size_t>(kind)];
+  const auto found = tiles.find(path);
+  if (found != tiles.end()) return *found->second;
+  auto made = std::make_unique<Tile>(make_tile(kind, path));
+  return *(tiles[path] = std::move(made));
+}
+
+Tile RingKinds::make_tile(int index, const std::string& path) const {
+  const RingKind& kind = (*this)[index];
+  if (path.empty()) {
+    LIMES_ASSERT(kind.patch.has_value());
+    return {*kind.patch, {}};
+  }
+  const RingKind::Child& child = kind.children[static_cast<std::size_t>(path[0])];
+  const Tile& below = tile_locked(child.kind, path.substr(1));
+  Tile tile{below.D * child.A, {}};
+  if (below.limit.size() > 0) tile.limit = child.A.transpose() * below.limit;
+  if (kind.self_similar) {
+    // Whatever the rows' sums are (1, or rounding), afterwards they are relative to our own limit.
+    if (tile.limit.size() > 0 && child.kind != index) tile.D.rowwise() += tile.limit.transpose();
+    deflate(tile.D, kind.limit);
+    tile.limit = kind.limit;
+  }
+  return tile;
+}
+
+}  // namespace limes
