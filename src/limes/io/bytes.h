@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+
+namespace limes {
+
+/// A number from the first sizeof(T) bytes at `bytes`, stored in the given order.
+template <class T>
+[[nodiscard]] T load_number(const char* bytes, std::endian order = std::endian::little) {
+  std::array<char, sizeof(T)> raw;
+  std::copy_n(bytes, sizeof(T), raw.begin());
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  T value;
+  std::memcpy(&value, raw.data(), sizeof(T));
+  return value;
+}
+
+/// Appends a number, little endian, to anything with append(first, last).
+template <class T, class Buffer>
+void append_number(Buffer& buffer, T value) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), &value, sizeof(T));
+  if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  buffer.append(raw.data(), raw.data() + raw.size());
+}
+
+}  // namespace limes

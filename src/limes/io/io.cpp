@@ -1,0 +1,144 @@
+#include "limes/io/io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "limes/core/atomic_file.h"
+#include "limes/core/error.h"
+#include "limes/core/text.h"
+
+namespace limes {
+
+namespace fs = std::filesystem;
+
+const std::array<Format, 5> all_formats{{
+    {"Wavefront OBJ", ".obj", read_obj, write_obj, true, true,
+     "polygons, relative indices, OpenSubdiv tags, groups (g), parts (o); no textures, materials, "
+     "curves, hierarchical edits",
+     "polygons, tags, groups, parts; shortest exact decimals"},
+    {"Geomview OFF", ".off", read_off, write_off, false, false,
+     "polygons; OFF, COFF, NOFF, STOFF or no keyword; colours and normals ignored; no binary",
+     "polygons; shortest exact decimals"},
+    {"Stanford PLY", ".ply", read_ply, write_ply, false, false,
+     "polygons; text and both binary orders, every number type; other elements ignored",
+     "polygons; binary little endian, doubles"},
+    {"STL", ".stl", read_stl, write_stl, false, false,
+     "triangles; text and binary; vertices welded where positions are equal",
+     "triangles (polygons become fans); binary, single precision"},
+    {"VTK unstructured grid", ".vtu", nullptr, write_vtu, false, false, "",
+     "polygons; doubles, zlib"},
+}};
+
+namespace {
+
+std::string extension_of(const fs::path& file) {
+  return to_lower(file.extension().string());
+}
+
+/// The format of that extension, or nothing.
+const Format* find_format(const fs::path& file) {
+  const auto format = std::find_if(all_formats.begin(), all_formats.end(), [&](const Format& f) {
+    return f.extension == extension_of(file);
+  });
+  return format == all_formats.end() ? nullptr : &*format;
+}
+
+std::string read_bytes(const fs::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) throw InputError("{}: no such file", name);
+  if (fs::is_directory(status)) throw InputError("{}: is a directory; a mesh file is right", name);
+  if (!fs::is_regular_file(status)) throw InputError("{}: is no regular file", name);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw InputError("{}: {}", name, std::generic_category().message(errno));
+  std::string bytes(static_cast<std::size_t>(fs::file_size(path)), '\0');
+  const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), file.get());
+  if (std::ferror(file.get())) throw InputError("{}: cannot be read", name);
+  bytes.resize(size);
+  return bytes;
+}
+
+void check_coordinates(const fs::path& file, const Format& format, const Mesh& mesh) {
+  const double largest = format.write == write_stl ? std::numeric_limits<float>::max()
+                                                   : std::numeric_limits<double>::max();
+  for (int v = 0; v < mesh.points.size(); ++v)
+    if (!(mesh.points[VertexId(v)].cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largest))
+      throw OutputError("{}: cannot be written: vertex {} has a coordinate that is too large",
+                        file.string(), v);
+}
+
+/// The faces that are not holes; all vertices stay.
+Mesh without_holes(const Mesh& mesh) {
+  std::vector<bool> hole(static_cast<std::size_t>(mesh.topology.num_faces()), false);
+  for (const FaceId f : mesh.tags.holes)
+    hole[static_cast<std::size_t>(f.value)] = true;
+  std::vector<int> offsets{0};
+  std::vector<VertexId> corners;
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    if (hole[static_cast<std::size_t>(f)]) continue;
+    const auto face = mesh.topology.face(FaceId(f));
+    corners.insert(corners.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<int>(corners.size()));
+  }
+  Mesh result;
+  result.topology = Topology(mesh.topology.num_vertices(), std::move(offsets), std::move(corners));
+  result.points = mesh.points;
+  return result;
+}
+
+std::vector<std::string> losses(const fs::path& file, const Format& format, const Mesh& mesh) {
+  std::vector<std::string> remarks;
+  const auto add = [&](std::string what) {
+    remarks.push_back(fmt::format("{}: {}", file.string(), what));
+  };
+  const Tags& tags = mesh.tags;
+  if (!format.tags && !tags.holes.empty())
+    add(fmt::format("{} keeps no hole tags; {} hole faces left out", format.name,
+                    tags.holes.size()));
+  if (!format.tags && tags.creases.size() + tags.corners.size() > 0)
+    add(fmt::format("{} keeps no sharpness; {} creases and {} corners lost", format.name,
+                    tags.creases.size(), tags.corners.size()));
+  if (!format.names && mesh.groups.size() + mesh.parts.size() > 0)
+    add(fmt::format("{} keeps no names; {} groups and {} parts lost", format.name,
+                    mesh.groups.size(), mesh.parts.size()));
+  if (format.write == write_stl)
+    add("STL holds triangles in single precision; polygons cut into fans, coordinates rounded");
+  return remarks;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const fs::path& file) {
+  const Format* const format = find_format(file);
+  if (!format || !format->read)
+    throw InputError("{}: meshes of type {} cannot be read; .obj, .off, .ply and .stl can",
+                     file.string(), quote(extension_of(file)));
+  return format->read(read_bytes(file), file.string());
+}
+
+std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh) {
+  const Format* const format = find_format(path);
+  if (!format || !format->write)
+    throw UsageError("{}: meshes of type {} cannot be written; .obj, .off, .ply, .stl and .vtu can",
+                     path.string(), quote(extension_of(path)));
+  check_coordinates(path, *format, mesh);
+  AtomicFile file(path);
+  const ByteSink sink = [&](std::string_view bytes) { file.write(bytes); };
+  if (format->tags || mesh.tags.holes.empty())
+    format->write(sink, mesh);
+  else
+    format->write(sink, without_holes(mesh));
+  file.commit();
+  return losses(path, *format, mesh);
+}
+
+}  // namespace limes

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "limes/core/types.h"
+#include "limes/study/expression.h"
+
+namespace limes {
+
+// A problem as its file states it: values checked one by one, nothing computed yet. `line` is the
+// line of the table in the file, for messages.
+
+struct MeshSettings {
+  std::filesystem::path file;  ///< relative names are meant from the problem file's folder
+  std::string scheme = "catmull-clark";
+  int levels = 0;
+  int line = 0;
+};
+
+struct MaterialSettings {
+  std::optional<std::string> where;  ///< a selection; nothing: wherever no other material is
+  double young = 0;                  ///< > 0
+  double poisson = 0;                ///< in (-1, 0.5)
+  double thickness = 1;              ///< > 0
+  int line = 0;
+};
+
+enum class ModelKind { plane_stress, plane_strain };
+
+/// How the field continues beyond the boundary of the mesh, see space/extended_mesh.h.
+enum class FieldBoundary { free, phantom };
+
+struct ModelSettings {
+  ModelKind kind = ModelKind::plane_stress;
+  FieldBoundary boundary = FieldBoundary::free;
+  bool kinks = true;          ///< the field may kink where materials meet
+  int quadrature_points = 3;  ///< Gauss points per direction and tile, 2 to 8
+  int quadrature_depth = 4;   ///< rings of tiles around an extraordinary vertex, 0 to 30
+  int line = 0;
+};
+
+/// A periodic cell driven by a macroscopic deformation gradient F.
+struct PeriodicSettings {
+  Mat2 gradient = Mat2::Identity();
+  int line = 0;
+};
+
+struct SupportSettings {
+  std::string where;
+  std::array<bool, 3> fix{};  ///< ux, uy, uz
+  int line = 0;
+};
+
+enum class LoadKind { force, force_per_length, force_per_area, force_per_volume, pressure };
+
+struct LoadSettings {
+  std::string where;
+  LoadKind kind = LoadKind::force_per_area;
+  /// Components (pressure: the first only); each a number or an expression in x, y, z.
+  std::array<Expression, 3> value;
+  int line = 0;
+};
+
+struct ProbeSettings {
+  std::string name;
+  Vec3 at = Vec3::Zero();
+  int line = 0;
+};
+
+/// Names of the user's units, for reports only.
+struct UnitSettings {
+  std::string length, force;
+};
+
+struct Problem {
+  std::filesystem::path file;
+  std::string title;
+  UnitSettings units;
+  MeshSettings mesh;
+  std::vector<MaterialSettings> materials;  ///< at least one
+  ModelSettings model;
+  std::optional<PeriodicSettings> periodic;
+  std::vector<SupportSettings> supports;
+  std::vector<LoadSettings> loads;
+  std::vector<ProbeSettings> probes;
+};
+
+/// Reads a problem file; `overrides` are "dotted.path=value" with array entries by index, the value
+/// in TOML or, if it is none, a bare string.
+/// @throws InputError "FILE:LINE: ..." for what the file says wrong (an unknown key with the nearest
+///         known one), UsageError for an override whose path does not exist
+[[nodiscard]] Problem read_problem(const std::filesystem::path& file,
+                                   std::span<const std::string> overrides = {});
+[[nodiscard]] Problem parse_problem(std::string_view text, const std::filesystem::path& file,
+                                    std::span<const std::string> overrides = {});
+
+}  // namespace limes
