@@ -24,7 +24,7 @@ struct OneRing {
 };
 
 OneRing one_ring(const Ring& ring) {
-  const Adjacency adjacency(ring.topology);
+  const Adjacency adjacency(ring.topology, Adjacency::Check::edges);
   const Sharpness sharpness(adjacency, ring.features);
   OneRing out;
   out.boundary = adjacency.is_boundary(VertexId(0));

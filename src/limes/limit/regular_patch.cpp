@@ -46,7 +46,7 @@ class BicubicPatch {
  public:
   explicit BicubicPatch(const Ring& ring)
       : ring_(ring),
-        adjacency_(ring.topology),
+        adjacency_(ring.topology, Adjacency::Check::edges),
         sharpness_(adjacency_, ring.features),
         grid_(PatchGrid::Zero(16, ring.num_controls)) {}
 

@@ -73,7 +73,7 @@ bool has_semi_sharp_edge(const Features& features) {
 Features local_features(const Adjacency& large, const Sharpness& sharpness, const Ring& ring,
                         const std::vector<HalfedgeId>& halfedges, int num_complete) {
   Features local;
-  const Adjacency adjacency(ring.topology);
+  const Adjacency adjacency(ring.topology, Adjacency::Check::edges);
   for (int e = 0; e < adjacency.num_edges(); ++e) {
     const HalfedgeId h = adjacency.halfedge(EdgeId(e));
     const bool complete = std::min(adjacency.from(h), adjacency.to(h)).value < num_complete;

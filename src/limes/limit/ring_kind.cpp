@@ -74,11 +74,11 @@ int RingKinds::kind_of(Ring ring) {
 }
 
 void RingKinds::build_children(RingKind& kind, int index) {
-  const Adjacency adjacency(kind.ring.topology);
+  const Adjacency adjacency(kind.ring.topology, Adjacency::Check::edges);
   const RefinementStep step(adjacency, kind.ring.features, *scheme_);
   const Topology child_topology = step.child_topology();
   const Features child_features = step.child_features();
-  const Adjacency child_adjacency(child_topology);
+  const Adjacency child_adjacency(child_topology, Adjacency::Check::edges);
   const Sharpness child_sharpness(child_adjacency, child_features);
   ChildRows rows(adjacency, step);
   const int num_children = kind.ring.topology.face_size(FaceId(0));

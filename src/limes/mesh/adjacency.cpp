@@ -1,6 +1,7 @@
 #include "limes/mesh/adjacency.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -22,6 +23,31 @@ std::vector<Ends> halfedge_ends(const Topology& topology) {
       ends[h++] = {face[i], face[i + 1 == face.size() ? 0 : i + 1]};
   }
   return ends;
+}
+
+/// A vertex that a face uses more than once, if there is one.
+std::optional<VertexId> repeated_corner(std::span<const VertexId> face,
+                                        std::vector<VertexId>& scratch) {
+  if (face.size() <= 8) {
+    for (std::size_t i = 1; i < face.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (face[i] == face[j]) return face[i];
+    return {};
+  }
+  scratch.assign(face.begin(), face.end());
+  std::sort(scratch.begin(), scratch.end());
+  const auto twice = std::adjacent_find(scratch.begin(), scratch.end());
+  if (twice == scratch.end()) return {};
+  return *twice;
+}
+
+void require_simple_faces(const Topology& topology) {
+  std::vector<VertexId> scratch;
+  for (int f = 0; f < topology.num_faces(); ++f)
+    if (const auto v = repeated_corner(topology.face(FaceId(f)), scratch))
+      throw InputError(
+          "face {} uses vertex {} twice; every corner of a face must be another vertex", f,
+          v->value);
 }
 
 }  // namespace
@@ -69,7 +95,7 @@ EdgeGroups group_by_edge(const Topology& topology) {
   return groups;
 }
 
-Adjacency::Adjacency(const Topology& topology)
+Adjacency::Adjacency(const Topology& topology, Check check)
     : topology_(&topology),
       face_size_(topology.uniform_face_size()),
       twin_(static_cast<std::size_t>(topology.num_corners())),
@@ -77,12 +103,11 @@ Adjacency::Adjacency(const Topology& topology)
       ring_start_(static_cast<std::size_t>(topology.num_vertices())) {
   if (!face_size_) face_of_ = faces_of_halfedges(topology);
 
+  if (check == Check::surface) require_simple_faces(topology);
   const EdgeGroups groups = group_by_edge(topology);
   for (std::size_t g = 0; g + 1 < groups.offsets.size(); ++g) {
     const HalfedgeId* h = groups.halfedges.data() + groups.offsets[g];
     const int count = groups.offsets[g + 1] - groups.offsets[g];
-    if (from(h[0]) == to(h[0]))
-      throw InputError("face {} uses vertex {} twice in a row", face(h[0]).value, from(h[0]).value);
     if (count > 2)
       throw InputError("edge {}-{} has {} faces (first {}, {} and {}); at most two can be joined",
                        from(h[0]).value, to(h[0]).value, count, face(h[0]).value, face(h[1]).value,
@@ -115,6 +140,32 @@ Adjacency::Adjacency(const Topology& topology)
     HalfedgeId& start = ring_start_[from(h)];
     if (!start.valid() || (!twin_[h].valid() && twin_[start].valid())) start = h;
   }
+  if (check == Check::surface) require_one_ring_per_vertex();
+}
+
+void Adjacency::require_one_ring_per_vertex() const {
+  const auto num_vertices = static_cast<int>(ring_start_.size());
+  int reached = 0;
+  for (int v = 0; v < num_vertices; ++v)
+    if (ring_start_[VertexId(v)].valid()) reached += num_ring_faces(VertexId(v));
+  if (reached == topology_->num_corners()) return;
+
+  IdArray<HalfedgeId, char> in_ring(static_cast<std::size_t>(topology_->num_corners()), 0);
+  for (int v = 0; v < num_vertices; ++v) {
+    const HalfedgeId start = ring_start_[VertexId(v)];
+    for (HalfedgeId h = start; h.valid();) {
+      in_ring[h] = 1;
+      h = ring_next(h);
+      if (h == start) break;
+    }
+  }
+  HalfedgeId h(0);
+  while (in_ring[h])
+    h = HalfedgeId(h.value + 1);
+  throw InputError(
+      "vertex {} joins faces that share no edge there (face {} and face {}); it must be split into "
+      "one vertex for each fan of faces (--repair)",
+      from(h).value, face(ring_start_[from(h)]).value, face(h).value);
 }
 
 HalfedgeId Adjacency::next(HalfedgeId h) const {

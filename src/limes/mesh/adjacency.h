@@ -13,9 +13,15 @@ namespace limes {
 /// order of a ring does not depend on how it was reached.
 class Adjacency {
  public:
+  enum class Check {
+    surface,  ///< everything below
+    edges     ///< edges only: for a refined surface, or a piece of one, whose rim may touch itself
+  };
+
   /// @throws InputError if an edge has more than two faces or two faces of the same orientation,
-  ///         or if a face uses a vertex twice in a row; names the faces
-  explicit Adjacency(const Topology& topology);
+  ///         if a face uses a vertex twice, or if the faces at a vertex do not form one fan; names
+  ///         the faces
+  explicit Adjacency(const Topology& topology, Check check = Check::surface);
 
   [[nodiscard]] const Topology& topology() const { return *topology_; }
   [[nodiscard]] int num_edges() const { return first_halfedge_.size(); }
@@ -54,6 +60,8 @@ class Adjacency {
   }
 
  private:
+  void require_one_ring_per_vertex() const;
+
   const Topology* topology_;
   int face_size_;                        // 0 when faces differ
   IdArray<HalfedgeId, FaceId> face_of_;  // only when faces differ

@@ -6,6 +6,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/split.h"
 
 namespace limes {
@@ -161,66 +162,6 @@ std::vector<FaceGroup> children_of(const Topology& parent, const std::vector<Fac
   return children;
 }
 
-/// Faces with a vertex on the boundary.
-std::vector<bool> boundary_faces(const Adjacency& adjacency) {
-  const Topology& topology = adjacency.topology();
-  std::vector<bool> result(static_cast<std::size_t>(topology.num_faces()), false);
-  for (int f = 0; f < topology.num_faces(); ++f)
-    for (const VertexId v : topology.face(FaceId(f)))
-      if (adjacency.is_boundary(v)) result[static_cast<std::size_t>(f)] = true;
-  return result;
-}
-
-/// The mesh without the faces that are marked, and without vertices that only they used.
-Mesh without_faces(const Mesh& mesh, const std::vector<bool>& drop) {
-  const Topology& topology = mesh.topology;
-  IdArray<FaceId, FaceId> new_face(static_cast<std::size_t>(topology.num_faces()));
-  IdArray<VertexId, VertexId> new_vertex(static_cast<std::size_t>(topology.num_vertices()));
-  Mesh out;
-  std::vector<int> offsets{0};
-  std::vector<VertexId> corners;
-  for (int i = 0; i < topology.num_faces(); ++i) {
-    if (drop[static_cast<std::size_t>(i)]) continue;
-    new_face[FaceId(i)] = FaceId(static_cast<std::int64_t>(offsets.size()) - 1);
-    for (const VertexId v : topology.face(FaceId(i))) {
-      new_vertex[v] = VertexId(0);  // used; numbered below, in the old order
-      corners.push_back(v);
-    }
-    offsets.push_back(static_cast<int>(corners.size()));
-  }
-  for (int v = 0; v < topology.num_vertices(); ++v) {
-    if (!new_vertex[VertexId(v)].valid()) continue;
-    new_vertex[VertexId(v)] = VertexId(out.points.size());
-    out.points.push_back(mesh.points[VertexId(v)]);
-  }
-  for (VertexId& v : corners)
-    v = new_vertex[v];
-  out.topology = Topology(out.points.size(), std::move(offsets), std::move(corners));
-
-  const auto keep = [&](const std::vector<FaceId>& faces) {
-    std::vector<FaceId> kept;
-    for (const FaceId f : faces)
-      if (new_face[f].valid()) kept.push_back(new_face[f]);
-    return kept;
-  };
-  for (const FaceGroup& g : mesh.groups)
-    out.groups.push_back({g.name, keep(g.faces)});
-  for (const FaceGroup& g : mesh.parts)
-    out.parts.push_back({g.name, keep(g.faces)});
-  out.tags = mesh.tags;
-  out.tags.holes = keep(mesh.tags.holes);
-  std::erase_if(out.tags.creases, [&](const CreaseTag& t) {
-    return !new_vertex[t.a].valid() || !new_vertex[t.b].valid();
-  });
-  for (CreaseTag& t : out.tags.creases)
-    t = {new_vertex[t.a], new_vertex[t.b], t.sharpness};
-  std::erase_if(out.tags.corners,
-                [&](const CornerTag& t) { return !new_vertex[t.vertex].valid(); });
-  for (CornerTag& t : out.tags.corners)
-    t.vertex = new_vertex[t.vertex];
-  return out;
-}
-
 }  // namespace
 
 Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
@@ -229,7 +170,8 @@ Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options
   auto adjacency = std::make_unique<Adjacency>(current.topology);
   Features features = resolve_tags(*adjacency, mesh.tags, options.boundary);
   std::vector<bool> dropped;
-  if (options.boundary == BoundaryRule::none) dropped = boundary_faces(*adjacency);
+  if (options.boundary == BoundaryRule::none && scheme.reach > 0)
+    dropped = unsupported_faces(*adjacency, mesh.tags);
 
   for (int level = 0; level < options.levels; ++level) {
     check_interrupt();
@@ -252,7 +194,7 @@ Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options
     }
     current = std::move(child);
     features = std::move(child_features);
-    adjacency = std::make_unique<Adjacency>(current.topology);
+    adjacency = std::make_unique<Adjacency>(current.topology, Adjacency::Check::edges);
   }
 
   const std::vector<FaceId> holes = std::move(current.tags.holes);

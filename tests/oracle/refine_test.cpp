@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "limes/core/error.h"
+#include "limes/subdiv/crease.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+#include "oracle/correspondence.h"
+#include "oracle/shapes.h"
+
+// Refined meshes against OpenSubdiv: positions, topology, numbering and left-over sharpness of three
+// levels of every shape, with every boundary rule.
+
+namespace limes::oracle {
+namespace {
+
+/// One of our meshes with what refinement needs, level by level.
+struct Level {
+  explicit Level(Topology t) : topology(std::move(t)), adjacency(topology) {}
+  Topology topology;
+  Adjacency adjacency;
+  Features features;
+  std::vector<Vec3> points;
+};
+
+std::unique_ptr<Level> first_level(const Mesh& mesh, BoundaryRule boundary) {
+  auto level = std::make_unique<Level>(mesh.topology);
+  level->features = resolve_tags(level->adjacency, mesh.tags, boundary);
+  level->points = mesh.points.vector();
+  return level;
+}
+
+std::unique_ptr<Level> next_level(const Level& parent, const Scheme& scheme) {
+  const RefinementStep step(parent.adjacency, parent.features, scheme);
+  auto child = std::make_unique<Level>(step.child_topology());
+  child->features = step.child_features();
+  child->points.resize(static_cast<std::size_t>(step.num_child_vertices()));
+  step.apply(parent.points, child->points);
+  return child;
+}
+
+double largest_difference(const Correspondence& c, const std::vector<Vec3>& ours,
+                          const std::vector<Vec3>& theirs) {
+  double worst = 0.0;
+  for (std::size_t v = 0; v < theirs.size(); ++v)
+    worst = std::max(worst, (ours[static_cast<std::size_t>(c.vertex[v])] - theirs[v]).norm());
+  return worst;
+}
+
+/// Sharpness as OpenSubdiv has it: edges by their ends, the boundary left out.
+void expect_same_sharpness(const Correspondence& c, const Level& ours,
+                           const osd::Far::TopologyLevel& theirs) {
+  const Tags tags = tags_of(ours.adjacency, ours.features);
+  std::vector<std::array<float, 3>> our_edges, their_edges;
+  for (const CreaseTag& t : tags.creases) {
+    const auto [a, b] = std::minmax(t.a.value, t.b.value);
+    our_edges.push_back({static_cast<float>(a), static_cast<float>(b), t.sharpness});
+  }
+  for (int e = 0; e < theirs.GetNumEdges(); ++e) {
+    if (theirs.IsEdgeBoundary(e) || theirs.GetEdgeSharpness(e) <= 0) continue;
+    const auto ends = theirs.GetEdgeVertices(e);
+    const auto [a, b] = std::minmax(c.vertex[static_cast<std::size_t>(ends[0])],
+                                    c.vertex[static_cast<std::size_t>(ends[1])]);
+    their_edges.push_back(
+        {static_cast<float>(a), static_cast<float>(b), theirs.GetEdgeSharpness(e)});
+  }
+  std::sort(our_edges.begin(), our_edges.end());
+  std::sort(their_edges.begin(), their_edges.end());
+  ASSERT_EQ(our_edges.size(), their_edges.size());
+  for (std::size_t i = 0; i < our_edges.size(); ++i) {
+    EXPECT_EQ(our_edges[i][0], their_edges[i][0]);
+    EXPECT_EQ(our_edges[i][1], their_edges[i][1]);
+    EXPECT_NEAR(our_edges[i][2], their_edges[i][2], 1e-6F) << "edge " << our_edges[i][0];
+  }
+  std::vector<float> our_vertices(ours.points.size(), 0.0F);
+  for (const CornerTag& t : tags.corners)
+    our_vertices[static_cast<std::size_t>(t.vertex.value)] = t.sharpness;
+  for (int v = 0; v < theirs.GetNumVertices(); ++v)
+    if (theirs.GetVertexFaces(v).size() > 0) {
+      EXPECT_EQ(our_vertices[static_cast<std::size_t>(c.vertex[static_cast<std::size_t>(v)])],
+                theirs.GetVertexSharpness(v))
+          << "vertex " << v;
+    }
+}
+
+void compare_levels(const Mesh& mesh, const Scheme& scheme, BoundaryRule boundary) {
+  const int levels = 3;
+  const auto refiner = make_refiner(mesh, scheme, boundary);
+  const auto theirs = refine_uniformly(*refiner, mesh, levels);
+  const double size = size_of(mesh);
+  auto ours = first_level(mesh, boundary);
+  Correspondence c = identity(mesh.topology);
+  for (int level = 1; level <= levels; ++level) {
+    SCOPED_TRACE(testing::Message() << "level " << level);
+    auto child = next_level(*ours, scheme);
+    std::string wrong;
+    c = descend(c, refiner->GetLevel(level - 1), refiner->GetLevel(level), ours->topology,
+                child->topology, wrong);
+    ASSERT_EQ(wrong, "");
+    EXPECT_LE(largest_difference(c, child->points, theirs[static_cast<std::size_t>(level)]),
+              1e-12 * size);
+    if (scheme.name != "linear") expect_same_sharpness(c, *child, refiner->GetLevel(level));
+    ours = std::move(child);
+  }
+
+  // The public function takes the same steps, and leaves out what OpenSubdiv makes holes.
+  const Mesh refined = refine(mesh, scheme, {.levels = levels, .boundary = boundary});
+  if (boundary != BoundaryRule::none) {
+    EXPECT_EQ(refined.topology, ours->topology);
+    EXPECT_EQ(refined.points.vector(), ours->points);
+    return;
+  }
+  Mesh without_holes = mesh;
+  without_holes.tags.holes.clear();
+  const auto shown = make_refiner(without_holes, scheme, boundary);
+  refine_uniformly(*shown, mesh, levels);
+  std::vector<int> theirs_of(c.face.size());
+  for (std::size_t f = 0; f < c.face.size(); ++f)
+    theirs_of[static_cast<std::size_t>(c.face[f])] = static_cast<int>(f);
+  std::vector<std::array<Vec3, 4>> kept;
+  for (std::size_t f = 0; f < c.face.size(); ++f) {
+    if (shown->GetLevel(levels).IsFaceHole(theirs_of[f])) continue;
+    const auto face = ours->topology.face(FaceId(static_cast<std::int64_t>(f)));
+    kept.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i)
+      kept.back()[i] = ours->points[static_cast<std::size_t>(face[i].value)];
+  }
+  ASSERT_EQ(refined.topology.num_faces(), static_cast<int>(kept.size()));
+  for (std::size_t f = 0; f < kept.size(); ++f)
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(refined.points[refined.topology.face(FaceId(static_cast<std::int64_t>(f)))[i]],
+                kept[f][i]);
+}
+
+class OpenSubdivRefine : public testing::TestWithParam<Case> {};
+
+TEST_P(OpenSubdivRefine, ThreeLevelsAgree) {
+  compare_levels(read_shape(GetParam().shape), find_scheme("catmull-clark"), GetParam().boundary);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, OpenSubdivRefine, testing::ValuesIn(manifold_cases("catmark")),
+                         [](const auto& c) { return name_of(c.param); });
+
+class OpenSubdivBilinear : public testing::TestWithParam<Case> {};
+
+TEST_P(OpenSubdivBilinear, ThreeLevelsAgree) {
+  compare_levels(read_shape(GetParam().shape), find_scheme("linear"), GetParam().boundary);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, OpenSubdivBilinear, testing::ValuesIn(manifold_cases("bilinear")),
+                         [](const auto& c) { return name_of(c.param); });
+
+/// What is no surface is refused with the name of the culprit.
+TEST(OpenSubdivShapes, RefusesWhatIsNoSurface) {
+  int refused = 0;
+  for (const std::string& shape : shapes_with("catmark")) {
+    const std::string expected = refusal_of(shape);
+    if (expected.empty()) continue;
+    ++refused;
+    SCOPED_TRACE(shape);
+    try {
+      const Mesh mesh = read_shape(shape);
+      (void)refine(mesh, find_scheme("catmull-clark"), {});
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_EQ(refused, 12);
+}
+
+}  // namespace
+}  // namespace limes::oracle
