@@ -1,0 +1,168 @@
+#include "limes/space/boundary_trace.h"
+
+#include <Eigen/SVD>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "limes/core/error.h"
+
+namespace limes {
+namespace {
+
+/// Adds weight * row to a row.
+void add_to(ConstraintRow& row, const ConstraintRow& other, double weight) {
+  for (const auto& [dof, w] : other)
+    row.emplace_back(dof, weight * w);
+}
+
+/// Weights by control vertex of a face as a row over dofs, without zeros.
+template <class Weights>
+ConstraintRow row_of(const std::vector<int>& dofs, const Weights& weights) {
+  ConstraintRow row;
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const double w = weights(static_cast<Eigen::Index>(i));
+    if (w != 0 && dofs[i] >= 0) row.emplace_back(dofs[i], w);
+  }
+  return row;
+}
+
+/// Control values of the cubic B-spline on side c of a regular patch, in the side's direction.
+std::array<Eigen::RowVectorXd, 4> spline_of_side(const PatchGrid& D, int c) {
+  std::array<Eigen::RowVectorXd, 4> out;
+  for (int k = 0; k < 4; ++k) {
+    // (across, along) -> row of the grid; across 0, 1, 2 from outside to inside
+    const auto row = [&](int across) {
+      switch (c) {
+        case 0:
+          return 4 * across + k;
+        case 1:
+          return 4 * k + (3 - across);
+        case 2:
+          return 4 * (3 - across) + (3 - k);
+        default:
+          return 4 * (3 - k) + across;
+      }
+    };
+    out[static_cast<std::size_t>(k)] = (D.row(row(0)) + 4.0 * D.row(row(1)) + D.row(row(2))) / 6.0;
+  }
+  return out;
+}
+
+/// The spline of a side, if the face is one regular patch.
+std::optional<std::vector<ConstraintRow>> regular_side(const SubdivisionSpace& space,
+                                                       HalfedgeId h) {
+  const LimitBasis& field = space.field();
+  const FaceId f = field.adjacency().face(h);
+  const auto& patch = field.kinds()[field.kind(f)].patch;
+  if (!patch) return {};
+  std::vector<ConstraintRow> rows;
+  const std::vector<int> dofs = space.face_dofs(f);
+  for (const Eigen::RowVectorXd& w : spline_of_side(*patch, field.adjacency().corner_index(h)))
+    rows.push_back(row_of(dofs, w));
+  return rows;
+}
+
+ConstraintRow value_at_side(const SubdivisionSpace& space, HalfedgeId h, double s) {
+  const LimitBasis& field = space.field();
+  const FaceId f = field.adjacency().face(h);
+  const SidePoint p = side_point(field, h, s);
+  BasisAt basis;
+  field.evaluate(f, p.corner, p.uv, 0, basis);
+  return row_of(space.face_dofs(f), basis.N);
+}
+
+/// Enough points to determine a function that is cubic on the pieces of a side: pieces shrink
+/// towards both ends and towards the middle, where the quadrants of an n-gon meet.
+std::vector<double> points_of_side() {
+  constexpr int depth = 12;
+  std::vector<double> points{0.0, 0.5, 1.0};
+  for (int k = 2; k < depth; ++k)
+    for (int i = 0; i < 4; ++i) {
+      const double d = std::ldexp(1.0 + (i + 0.5) / 4.0, -k - 1);
+      points.insert(points.end(), {d, 0.5 - d, 0.5 + d, 1.0 - d});
+    }
+  return points;
+}
+
+/// Independent rows with the same null space.
+std::vector<ConstraintRow> independent(const std::vector<ConstraintRow>& rows) {
+  std::map<int, Eigen::Index> column;
+  for (const ConstraintRow& row : rows)
+    for (const auto& [dof, w] : row)
+      column.emplace(dof, 0);
+  std::vector<int> dofs;
+  for (auto& [dof, index] : column) {
+    index = static_cast<Eigen::Index>(dofs.size());
+    dofs.push_back(dof);
+  }
+  MatrixX M =
+      MatrixX::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(dofs.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [dof, w] : rows[i])
+      M(static_cast<Eigen::Index>(i), column[dof]) += w;
+  const Eigen::JacobiSVD<MatrixX> svd(M, Eigen::ComputeThinV);
+  std::vector<ConstraintRow> out;
+  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
+    if (!(svd.singularValues()(k) > 1e-8 * svd.singularValues()(0))) break;
+    ConstraintRow row;
+    for (Eigen::Index j = 0; j < svd.matrixV().rows(); ++j)
+      if (std::abs(svd.matrixV()(j, k)) > 1e-14)
+        row.emplace_back(dofs[static_cast<std::size_t>(j)], svd.matrixV()(j, k));
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+}  // namespace
+
+SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s) {
+  const Adjacency& a = basis.adjacency();
+  const int c = a.corner_index(h);
+  const int n = basis.topology().face_size(a.face(h));
+  if (n != 4) return s <= 0.5 ? SidePoint{c, {2 * s, 0}} : SidePoint{(c + 1) % n, {0, 2 - 2 * s}};
+  switch (c) {
+    case 0:
+      return {0, {s, 0}};
+    case 1:
+      return {0, {1, s}};
+    case 2:
+      return {0, {1 - s, 1}};
+    default:
+      return {0, {0, 1 - s}};
+  }
+}
+
+std::vector<ConstraintRow> trace_of_side(const SubdivisionSpace& space, HalfedgeId h) {
+  if (auto rows = regular_side(space, h)) return *rows;
+  std::vector<ConstraintRow> rows;
+  for (const double s : points_of_side())
+    rows.push_back(value_at_side(space, h, s));
+  return independent(rows);
+}
+
+std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a, HalfedgeId b) {
+  auto rows = regular_side(space, a);
+  const auto other = regular_side(space, b);
+  if (rows && other) {
+    for (std::size_t k = 0; k < 4; ++k)
+      add_to((*rows)[k], (*other)[3 - k], -1.0);
+    return *rows;
+  }
+  std::vector<ConstraintRow> samples;
+  for (const double s : points_of_side()) {
+    samples.push_back(value_at_side(space, a, s));
+    add_to(samples.back(), value_at_side(space, b, 1.0 - s), -1.0);
+  }
+  return independent(samples);
+}
+
+ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v) {
+  // The control mesh's own ring start: its halfedges are those of the field's mesh.
+  const HalfedgeId h = space.geometry().adjacency().ring_start(v);
+  LIMES_ASSERT(h.valid());
+  return value_at_side(space, h, 0.0);
+}
+
+}  // namespace limes

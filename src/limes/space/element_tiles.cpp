@@ -1,0 +1,71 @@
+#include "limes/space/element_tiles.h"
+
+#include <algorithm>
+
+namespace limes {
+namespace {
+
+/// A sub-square in its own frame: corner 0 at the origin, u along a, v along b.
+struct Frame {
+  Vec2 origin, a, b;
+};
+
+/// The quadrant at corner c, whose own corner 0 is that corner.
+Frame child_frame(const Frame& f, int c) {
+  switch (c) {
+    case 0:
+      return {f.origin, 0.5 * f.a, 0.5 * f.b};
+    case 1:
+      return {f.origin + f.a, 0.5 * f.b, -0.5 * f.a};
+    case 2:
+      return {f.origin + f.a + f.b, -0.5 * f.a, -0.5 * f.b};
+    default:
+      return {f.origin + f.b, -0.5 * f.b, 0.5 * f.a};
+  }
+}
+
+ParameterTile tile_of(const Frame& f) {
+  const Vec2 opposite = f.origin + f.a + f.b;
+  return {f.origin.cwiseMin(opposite), std::abs(f.a.x() + f.a.y())};
+}
+
+class TileWalk {
+ public:
+  std::vector<ParameterTile> tiles;
+
+  /// @param depth  rings still allowed around corners that never become polynomial
+  void add(const std::vector<KindOfElement>& functions, const Frame& frame, int depth) {
+    const bool polynomial =
+        std::all_of(functions.begin(), functions.end(),
+                    [](const KindOfElement& f) { return (*f.kinds)[f.kind].patch.has_value(); });
+    const bool endless =
+        std::any_of(functions.begin(), functions.end(),
+                    [](const KindOfElement& f) { return (*f.kinds)[f.kind].self_similar; });
+    if (polynomial || (endless && depth == 0)) {
+      tiles.push_back(tile_of(frame));
+      return;
+    }
+    for (int c = 0; c < 4; ++c)
+      add(children(functions, c), child_frame(frame, c), endless ? depth - 1 : depth);
+  }
+
+  static std::vector<KindOfElement> children(std::vector<KindOfElement> functions, int c) {
+    for (KindOfElement& f : functions) {
+      const RingKind& kind = (*f.kinds)[f.kind];
+      if (!kind.patch) f.kind = kind.children[static_cast<std::size_t>(c)].kind;
+    }
+    return functions;
+  }
+};
+
+}  // namespace
+
+std::vector<ParameterTile> element_tiles(std::vector<KindOfElement> functions, int face_size,
+                                         int corner, int depth) {
+  if (face_size != 4) functions = TileWalk::children(std::move(functions), corner);
+  TileWalk walk;
+  walk.add(functions, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, depth);
+  return std::move(walk.tiles);
+}
+
+}  // namespace limes

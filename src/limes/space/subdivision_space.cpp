@@ -1,0 +1,126 @@
+#include "limes/space/subdivision_space.h"
+
+#include <utility>
+
+#include "limes/core/interrupt.h"
+
+namespace limes {
+namespace {
+
+/// Faces that are no elements.
+std::vector<bool> faces_without_element(const Mesh& mesh, const Adjacency& adjacency,
+                                        BoundaryRule boundary) {
+  const Topology& t = mesh.topology;
+  std::vector<bool> drop(static_cast<std::size_t>(t.num_faces()), false);
+  for (const FaceId f : mesh.tags.holes)
+    drop[static_cast<std::size_t>(f.value)] = true;
+  if (boundary != BoundaryRule::none) return drop;
+  for (int f = 0; f < t.num_faces(); ++f)
+    for (const VertexId v : t.face(FaceId(f)))
+      if (adjacency.is_boundary(v)) drop[static_cast<std::size_t>(f)] = true;
+  return drop;
+}
+
+}  // namespace
+
+SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary,
+                                   const Kinks& kinks, const SpaceOptions& options)
+    : mesh_(std::move(mesh)), quadrature_(options.quadrature) {
+  const Adjacency adjacency(mesh_.topology);
+  const Features features = resolve_tags(adjacency, mesh_.tags, boundary);
+  // Dropped boundary faces are ghosts already; functions without reach have no use for any.
+  const bool ghosts = options.ghosts && boundary != BoundaryRule::none && scheme.reach > 0;
+  extended_ = ghosts ? with_ghosts(adjacency, features, kinks, mesh_.points.span())
+                     : without_ghosts(adjacency, features, kinks);
+  geometry_ = std::make_unique<LimitBasis>(mesh_.topology, features, scheme);
+  field_ = std::make_unique<LimitBasis>(extended_.topology, extended_.features, scheme);
+  add_elements(faces_without_element(mesh_, adjacency, boundary));
+  number_dofs();
+}
+
+void SubdivisionSpace::add_elements(const std::vector<bool>& drop) {
+  std::map<std::tuple<int, int, int>, int> shapes;
+  for (int i = 0; i < mesh_.topology.num_faces(); ++i) {
+    if (drop[static_cast<std::size_t>(i)]) continue;
+    const FaceId f(i);
+    for (int c = 0; c < geometry_->num_quadrants(f); ++c) {
+      const auto [it, added] = shapes.try_emplace({geometry_->kind(f), field_->kind(f), c},
+                                                  static_cast<int>(tables_.size()));
+      elements_.push_back({f, c, it->second});
+      if (!added) continue;
+      check_interrupt();
+      tables_.push_back(quadrature_table(shape_of(elements_.back()), quadrature_));
+      first_of_shape_.push_back(static_cast<int>(elements_.size()) - 1);
+    }
+  }
+}
+
+void SubdivisionSpace::number_dofs() {
+  std::vector<bool> felt(static_cast<std::size_t>(extended_.topology.num_vertices()), false);
+  for (const Element& e : elements_) {
+    const auto controls = field_->controls(e.face);
+    for (const int a : table(e.shape).active)
+      felt[static_cast<std::size_t>(controls[static_cast<std::size_t>(a)].value)] = true;
+  }
+  dof_.resize(felt.size(), -1);
+  for (std::size_t v = 0; v < felt.size(); ++v)
+    if (felt[v]) dof_[VertexId(static_cast<std::int64_t>(v))] = num_dofs_++;
+  first_dof_.push_back(0);
+  for (const Element& e : elements_) {
+    const auto controls = field_->controls(e.face);
+    for (const int a : table(e.shape).active)
+      element_dofs_.push_back(dof_[controls[static_cast<std::size_t>(a)]]);
+    first_dof_.push_back(static_cast<std::int64_t>(element_dofs_.size()));
+  }
+}
+
+std::span<const int> SubdivisionSpace::dofs(int element) const {
+  const auto i = static_cast<std::size_t>(element);
+  return std::span(element_dofs_)
+      .subspan(static_cast<std::size_t>(first_dof_[i]),
+               static_cast<std::size_t>(first_dof_[i + 1] - first_dof_[i]));
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> SubdivisionSpace::control_points(int element) const {
+  const auto controls = geometry_->controls(elements_[static_cast<std::size_t>(element)].face);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> P(static_cast<Eigen::Index>(controls.size()), 3);
+  for (std::size_t i = 0; i < controls.size(); ++i)
+    P.row(static_cast<Eigen::Index>(i)) = mesh_.points[controls[i]].transpose();
+  return P;
+}
+
+std::vector<ElementTable> SubdivisionSpace::sample_tables(const std::vector<Vec2>& points) const {
+  std::vector<ElementTable> out;
+  for (std::size_t s = 0; s < tables_.size(); ++s) {
+    const Element& e = elements_[static_cast<std::size_t>(first_of_shape_[s])];
+    ElementTable all = sample_table(shape_of(e), points);
+    ElementTable kept = all;
+    kept.active = tables_[s].active;
+    for (auto [from, to] :
+         {std::pair(&all.N, &kept.N), std::pair(&all.Nu, &kept.Nu), std::pair(&all.Nv, &kept.Nv)}) {
+      to->resize(from->rows(), static_cast<Eigen::Index>(kept.active.size()));
+      for (std::size_t j = 0; j < kept.active.size(); ++j)
+        to->col(static_cast<Eigen::Index>(j)) = from->col(kept.active[j]);
+    }
+    out.push_back(std::move(kept));
+  }
+  return out;
+}
+
+std::vector<int> SubdivisionSpace::face_dofs(FaceId face) const {
+  std::vector<int> out;
+  for (const VertexId v : field_->controls(face))
+    out.push_back(dof_[v]);
+  return out;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3> SubdivisionSpace::position_coefficients() const {
+  const std::vector<Vec3> x = extended_.continued(mesh_.points.span());
+  Eigen::Matrix<double, Eigen::Dynamic, 3> out(num_dofs_, 3);
+  for (int v = 0; v < dof_.size(); ++v)
+    if (dof_[VertexId(v)] >= 0)
+      out.row(dof_[VertexId(v)]) = x[static_cast<std::size_t>(v)].transpose();
+  return out;
+}
+
+}  // namespace limes

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "limes/mesh/mesh.h"
+#include "limes/space/element_table.h"
+#include "limes/space/extended_mesh.h"
+
+namespace limes {
+
+/// One parameter square of a face: the whole quad, or one quadrant of another face.
+struct Element {
+  FaceId face;
+  int corner = 0;
+  int shape = 0;  ///< elements of equal shape have equal tables
+};
+
+struct SpaceOptions {
+  bool ghosts = true;  ///< free ghosts beyond the boundary; otherwise the standard functions
+  ElementQuadrature quadrature;
+};
+
+/// The limit functions of a subdivision surface as a function space: a list of elements, each with
+/// its degrees of freedom and its basis functions. One scalar degree of freedom per vertex of the
+/// extended mesh that some element feels; vector fields use the same numbers per component.
+///
+/// The geometry is the limit surface of the control mesh, whatever the field does.
+class SubdivisionSpace {
+ public:
+  /// @param mesh      control mesh; hole faces (and with BoundaryRule::none the faces at the
+  ///                  boundary) shape their neighbours but are no elements
+  /// @param boundary  rule of the geometry
+  /// @param kinks     edges across which the field may kink
+  /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
+  SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, const Kinks& kinks,
+                   const SpaceOptions& options);
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const LimitBasis& geometry() const { return *geometry_; }
+  [[nodiscard]] const LimitBasis& field() const { return *field_; }
+  [[nodiscard]] const ExtendedMesh& extended() const { return extended_; }
+
+  [[nodiscard]] std::span<const Element> elements() const { return elements_; }
+  [[nodiscard]] int num_dofs() const { return num_dofs_; }
+  /// Degrees of freedom of an element, in the order of its table's field functions.
+  [[nodiscard]] std::span<const int> dofs(int element) const;
+  /// Control points of an element's geometry, (m, 3), in the order of its table.
+  [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> control_points(int element) const;
+
+  [[nodiscard]] int num_shapes() const { return static_cast<int>(tables_.size()); }
+  /// Quadrature of all elements of a shape.
+  [[nodiscard]] const ElementTable& table(int shape) const {
+    return tables_[static_cast<std::size_t>(shape)];
+  }
+  /// The same functions at points of one's own: one table per shape, all field functions (`active`
+  /// as in table(shape)).
+  [[nodiscard]] std::vector<ElementTable> sample_tables(const std::vector<Vec2>& points) const;
+
+  /// Degree of freedom of a vertex of the extended mesh, -1 if no element feels it.
+  [[nodiscard]] int dof(VertexId v) const { return dof_[v]; }
+  /// The same for all controls of a face, in the order of field().controls(face).
+  [[nodiscard]] std::vector<int> face_dofs(FaceId face) const;
+
+  /// Coefficients of the field x -> position of the geometry, (num_dofs, 3). Exact unless the field
+  /// may kink where the geometry is smooth.
+  [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> position_coefficients() const;
+
+ private:
+  void add_elements(const std::vector<bool>& drop);
+  void number_dofs();
+  [[nodiscard]] ElementShape shape_of(const Element& e) const {
+    return {geometry_.get(), field_.get(), e.face, e.corner};
+  }
+
+  Mesh mesh_;
+  ExtendedMesh extended_;
+  std::unique_ptr<LimitBasis> geometry_, field_;
+  ElementQuadrature quadrature_;
+  std::vector<Element> elements_;
+  std::vector<ElementTable> tables_;
+  std::vector<int> first_of_shape_;  // an element of each shape
+  IdArray<VertexId, int> dof_;
+  int num_dofs_ = 0;
+  std::vector<std::int64_t> first_dof_;
+  std::vector<int> element_dofs_;
+};
+
+}  // namespace limes
