@@ -121,16 +121,19 @@ SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s) {
   const Adjacency& a = basis.adjacency();
   const int c = a.corner_index(h);
   const int n = basis.topology().face_size(a.face(h));
-  if (n != 4) return s <= 0.5 ? SidePoint{c, {2 * s, 0}} : SidePoint{(c + 1) % n, {0, 2 - 2 * s}};
+  if (n != 4) {
+    if (s <= 0.5) return {c, {2 * s, 0}, {2, 0}};
+    return {(c + 1) % n, {0, 2 - 2 * s}, {0, -2}};
+  }
   switch (c) {
     case 0:
-      return {0, {s, 0}};
+      return {0, {s, 0}, {1, 0}};
     case 1:
-      return {0, {1, s}};
+      return {0, {1, s}, {0, 1}};
     case 2:
-      return {0, {1 - s, 1}};
+      return {0, {1 - s, 1}, {-1, 0}};
     default:
-      return {0, {0, 1 - s}};
+      return {0, {0, 1 - s}, {0, -1}};
   }
 }
 

@@ -9,6 +9,7 @@ namespace limes {
 struct SidePoint {
   int corner;  ///< quadrant
   Vec2 uv;
+  Vec2 direction;  ///< d(uv)/ds
 };
 /// @param s  in [0, 1], 0 at the start of the halfedge
 [[nodiscard]] SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s);
