@@ -13,7 +13,8 @@
 namespace limes {
 
 // A problem as its file states it: values checked one by one, nothing computed yet. `line` is the
-// line of the table in the file, for messages.
+// line of the table in the file and `where_line` that of its selection, for messages; 0: from an
+// override.
 
 struct MeshSettings {
   std::filesystem::path file;  ///< relative names are meant from the problem file's folder
@@ -27,7 +28,7 @@ struct MaterialSettings {
   double young = 0;                  ///< > 0
   double poisson = 0;                ///< in (-1, 0.5)
   double thickness = 1;              ///< > 0
-  int line = 0;
+  int line = 0, where_line = 0;
 };
 
 enum class ModelKind { plane_stress, plane_strain };
@@ -53,7 +54,7 @@ struct PeriodicSettings {
 struct SupportSettings {
   std::string where;
   std::array<bool, 3> fix{};  ///< ux, uy, uz
-  int line = 0;
+  int line = 0, where_line = 0;
 };
 
 enum class LoadKind { force, force_per_length, force_per_area, force_per_volume, pressure };
@@ -63,7 +64,7 @@ struct LoadSettings {
   LoadKind kind = LoadKind::force_per_area;
   /// Components (pressure: the first only); each a number or an expression in x, y, z.
   std::array<Expression, 3> value;
-  int line = 0;
+  int line = 0, where_line = 0;
 };
 
 struct ProbeSettings {
@@ -93,7 +94,8 @@ struct Problem {
 /// Reads a problem file; `overrides` are "dotted.path=value" with array entries by index, the value
 /// in TOML or, if it is none, a bare string.
 /// @throws InputError "FILE:LINE: ..." for what the file says wrong (an unknown key with the nearest
-///         known one), UsageError for an override whose path does not exist
+///         known one), UsageError "--set PATH: ..." for an override whose path does not exist or
+///         whose value does not fit
 [[nodiscard]] Problem read_problem(const std::filesystem::path& file,
                                    std::span<const std::string> overrides = {});
 [[nodiscard]] Problem parse_problem(std::string_view text, const std::filesystem::path& file,

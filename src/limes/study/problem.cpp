@@ -1,0 +1,269 @@
+#include "limes/study/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "limes/core/error.h"
+#include "limes/core/text.h"
+#include "limes/study/problem_overrides.h"
+#include "limes/study/problem_table.h"
+
+namespace limes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = 16U << 20U;
+
+/// The tables of a document, one kind after the other.
+class ProblemReader {
+ public:
+  ProblemReader(const toml::table& document, const fs::path& file)
+      : document_(document), file_(file.string()) {
+    problem_.file = file;
+  }
+  Problem read();
+
+ private:
+  [[nodiscard]] std::vector<TableReader> tables(std::string_view name) const;
+  void read_top();
+  void read_mesh();
+  void read_model();
+  void read_materials();
+  void read_periodic();
+  void read_supports();
+  void read_loads();
+  void read_probes();
+  void check_held() const;
+
+  const toml::table& document_;
+  std::string file_;
+  Problem problem_;
+};
+
+/// All tables of that name: none, one, or a list.
+std::vector<TableReader> ProblemReader::tables(std::string_view name) const {
+  const Table& table = *find_table(name);
+  const toml::node* const node = document_.get(name);
+  if (!node) {
+    if (table.need == Need::required)
+      fail({file_}, fmt::format("{} is missing: {}", written(table), table.help));
+    return {};
+  }
+  const Place where = place_of(*node, file_);
+  if (const toml::table* values = node->as_table()) {
+    if (table.form == TableForm::list)
+      fail(where, fmt::format("there may be several {0}; write {0}", written(table)));
+    return {TableReader(*values, table, file_)};
+  }
+  const toml::array* const list = node->as_array();
+  if (!list || table.form == TableForm::single)
+    fail(where, fmt::format("{} is no table; write [{}]", name, name));
+  if (list->empty()) fail(where, fmt::format("{} is an empty list", name));
+  std::vector<TableReader> result;
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table())
+      fail(place_of(entry, file_), fmt::format("{} is a list of tables; write [[{}]]", name, name));
+    result.emplace_back(*entry.as_table(), table, file_);
+  }
+  return result;
+}
+
+void ProblemReader::read_top() {
+  const TableReader top(document_, Table{}, file_);
+  top.read("title", problem_.title);
+  for (const TableReader& table : tables("units")) {
+    table.read("length", problem_.units.length);
+    table.read("force", problem_.units.force);
+  }
+}
+
+void ProblemReader::read_mesh() {
+  for (const TableReader& table : tables("mesh")) {
+    MeshSettings& mesh = problem_.mesh;
+    mesh.line = table.line();
+    std::string file, placement;
+    table.read("file", file);
+    mesh.file = file;
+    table.read("scheme", mesh.scheme);
+    table.read("levels", mesh.levels);
+    table.read("placement", placement);  // there is one so far
+  }
+}
+
+void ProblemReader::read_model() {
+  for (const TableReader& table : tables("model")) {
+    ModelSettings& model = problem_.model;
+    model.line = table.line();
+    std::string kind, boundary;
+    table.read("kind", kind);
+    table.read("boundary", boundary);
+    model.kind = kind == "plane-strain" ? ModelKind::plane_strain : ModelKind::plane_stress;
+    model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
+    table.read("kinks", model.kinks);
+    table.read("quadrature_points", model.quadrature_points);
+    table.read("quadrature_depth", model.quadrature_depth);
+  }
+}
+
+void ProblemReader::read_materials() {
+  const MaterialSettings* rest = nullptr;
+  const std::vector<TableReader> all = tables("material");
+  problem_.materials.reserve(all.size());
+  for (const TableReader& table : all) {
+    MaterialSettings& material = problem_.materials.emplace_back();
+    material.line = table.line();
+    material.where_line = table.line("where");
+    if (table.has("where")) table.read("where", material.where.emplace());
+    table.read("young", material.young);
+    table.read("poisson", material.poisson);
+    table.read("thickness", material.thickness);
+    if (material.where) continue;
+    if (rest)
+      fail(table.place(), fmt::format("this [[material]] has no where, like that of line {}; one "
+                                      "may be without",
+                                      rest->line));
+    rest = &material;
+  }
+}
+
+void ProblemReader::read_periodic() {
+  for (const TableReader& table : tables("periodic")) {
+    PeriodicSettings& periodic = problem_.periodic.emplace();
+    periodic.line = table.line();
+    table.read("gradient", periodic.gradient);
+    if (!(periodic.gradient.determinant() > 0))
+      fail(table.place("gradient"),
+           fmt::format("[periodic] gradient has the determinant {}; the deformation gradient of a "
+                       "body has one > 0, [[1, 0], [0, 1]] is no deformation",
+                       periodic.gradient.determinant()));
+  }
+}
+
+void ProblemReader::read_supports() {
+  for (const TableReader& table : tables("support")) {
+    SupportSettings& support = problem_.supports.emplace_back();
+    support.line = table.line();
+    support.where_line = table.line("where");
+    table.read("where", support.where);
+    std::vector<std::string> fix;
+    table.read("fix", fix);
+    constexpr std::array<std::string_view, 3> names{"ux", "uy", "uz"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+      support.fix[i] = std::find(fix.begin(), fix.end(), names[i]) != fix.end();
+  }
+}
+
+void ProblemReader::read_loads() {
+  struct Named {
+    std::string_view name;
+    LoadKind kind;
+  };
+  constexpr std::array kinds{
+      Named{"force", LoadKind::force}, Named{"force_per_length", LoadKind::force_per_length},
+      Named{"force_per_area", LoadKind::force_per_area},
+      Named{"force_per_volume", LoadKind::force_per_volume}, Named{"pressure", LoadKind::pressure}};
+  for (const TableReader& table : tables("load")) {
+    LoadSettings& load = problem_.loads.emplace_back();
+    load.line = table.line();
+    load.where_line = table.line("where");
+    table.read("where", load.where);
+    const std::string_view key = table.chosen_key();
+    for (const Named& named : kinds)
+      if (named.name == key) load.kind = named.kind;
+    if (load.kind == LoadKind::pressure)
+      table.read(key, load.value[0]);
+    else
+      table.read(key, load.value);
+  }
+}
+
+void ProblemReader::read_probes() {
+  for (const TableReader& table : tables("probe")) {
+    ProbeSettings probe;
+    probe.line = table.line();
+    table.read("name", probe.name);
+    table.read("at", probe.at);
+    for (const ProbeSettings& other : problem_.probes)
+      if (other.name == probe.name)
+        fail(table.place("name"), fmt::format("[[probe]] name {} is taken by that of line {}",
+                                              quote(probe.name), other.line));
+    problem_.probes.push_back(std::move(probe));
+  }
+}
+
+void ProblemReader::check_held() const {
+  if (problem_.supports.empty() && !problem_.periodic)
+    fail({file_},
+         "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
+         "three fixed displacements");
+}
+
+Problem ProblemReader::read() {
+  read_top();
+  read_mesh();
+  read_model();
+  read_materials();
+  read_periodic();
+  read_supports();
+  read_loads();
+  read_probes();
+  check_held();
+  return std::move(problem_);
+}
+
+std::string read_text(const fs::path& path) {
+  const std::string name = path.string();
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) throw InputError("{}: no such file", name);
+  if (fs::is_directory(status))
+    throw InputError("{}: is a directory; a problem file is right", name);
+  if (!fs::is_regular_file(status)) throw InputError("{}: is no regular file", name);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw InputError("{}: {}", name, std::generic_category().message(errno));
+  if (fs::file_size(path) > largest_file)
+    throw InputError("{}: is larger than 16 MiB, which no problem file is", name);
+  std::string text(static_cast<std::size_t>(largest_file), '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get())) throw InputError("{}: cannot be read", name);
+  return text;
+}
+
+toml::table parse_document(std::string_view text, const fs::path& file) {
+  for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!is_valid_utf8(text.substr(begin, end - begin)))
+      throw InputError("{}:{}: no valid UTF-8; TOML files are UTF-8", file.string(), line);
+    begin = end + 1;
+  }
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    std::replace_if(
+        what.begin(), what.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
+    throw InputError("{}:{}: {}", file.string(), error.source().begin.line, what);
+  }
+}
+
+}  // namespace
+
+Problem parse_problem(std::string_view text, const fs::path& file,
+                      std::span<const std::string> overrides) {
+  toml::table document = parse_document(text, file);
+  apply_overrides(document, overrides);
+  return ProblemReader(document, file).read();
+}
+
+Problem read_problem(const fs::path& file, std::span<const std::string> overrides) {
+  return parse_problem(read_text(file), file, overrides);
+}
+
+}  // namespace limes

@@ -1,0 +1,292 @@
+#include "limes/study/problem_keys.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "limes/core/text.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+constexpr std::array tables{
+    Table{"units", TableForm::single, Need::optional, "names of your units, for reports only"},
+    Table{"mesh", TableForm::single, Need::required, "the surface and the space on it"},
+    Table{"model", TableForm::single, Need::required, "the equations"},
+    Table{"material", TableForm::single_or_list, Need::required,
+          "what the surface is made of; several with where"},
+    Table{"periodic", TableForm::single, Need::optional, "a periodic cell and what deforms it"},
+    Table{"support", TableForm::list, Need::optional,
+          "what is held; at least one, unless there is [periodic]"},
+    Table{"load", TableForm::list, Need::optional, "what acts; loads add up"},
+    Table{"probe", TableForm::list, Need::optional, "points whose values are reported"},
+    Table{"geometry", TableForm::single, Need::later, "an exact surface to place vertices on"},
+    Table{"seam", TableForm::list, Need::later, "parts tied along their boundaries"},
+    Table{"adapt", TableForm::single, Need::later, "refinement where the error is"}};
+
+constexpr std::array keys{
+    Key{.table = "", .name = "title", .help = "heading of the report"},
+
+    Key{.table = "units", .name = "length", .help = "such as mm"},
+    Key{.table = "units", .name = "force", .help = "such as N"},
+
+    Key{.table = "mesh",
+        .name = "file",
+        .need = Need::required,
+        .help = "control mesh, .obj .off .ply .stl; relative to the folder of the problem file"},
+    Key{.table = "mesh",
+        .name = "scheme",
+        .type = ValueType::name,
+        .initial = "catmull-clark",
+        .help = "the space: limit functions of this scheme; linear is bilinear elements"},
+    Key{.table = "mesh",
+        .name = "levels",
+        .type = ValueType::integer,
+        .range = from_to(0, 12),
+        .initial = "0",
+        .help = "uniform refinements before the analysis"},
+    Key{.table = "mesh",
+        .name = "placement",
+        .type = ValueType::name,
+        .choices = "scheme",
+        .later_choices = "kobbelt linear exact",
+        .initial = "scheme",
+        .help = "where the vertices of a refinement go: the scheme's own rule"},
+
+    Key{.table = "model",
+        .name = "kind",
+        .type = ValueType::name,
+        .need = Need::required,
+        .choices = "plane-stress plane-strain",
+        .later_choices = "mitc4 kirchhoff-love poisson laplace-beltrami",
+        .help = "plane elasticity in the x-y plane"},
+    Key{.table = "model",
+        .name = "boundary",
+        .type = ValueType::name,
+        .choices = "free phantom",
+        .initial = "free",
+        .help = "the field beyond the boundary: unknowns of its own, or phantom points"},
+    Key{.table = "model",
+        .name = "kinks",
+        .type = ValueType::boolean,
+        .initial = "true",
+        .help = "the field may kink where materials meet"},
+    Key{.table = "model",
+        .name = "quadrature_points",
+        .type = ValueType::integer,
+        .range = from_to(2, 8),
+        .initial = "3",
+        .help = "Gauss points per direction and tile"},
+    Key{.table = "model",
+        .name = "quadrature_depth",
+        .type = ValueType::integer,
+        .range = from_to(0, 30),
+        .initial = "4",
+        .help = "rings of tiles around an extraordinary vertex"},
+
+    Key{.table = "material",
+        .name = "where",
+        .type = ValueType::selection,
+        .help = "faces of this material; without it: all that no other material takes"},
+    Key{.table = "material",
+        .name = "young",
+        .type = ValueType::number,
+        .need = Need::required,
+        .range = above(0),
+        .help = "Young's modulus"},
+    Key{.table = "material",
+        .name = "poisson",
+        .type = ValueType::number,
+        .need = Need::required,
+        .range = between(-1, 0.5),
+        .help = "Poisson's ratio"},
+    Key{.table = "material",
+        .name = "thickness",
+        .type = ValueType::number,
+        .range = above(0),
+        .initial = "1",
+        .help = "extent across the surface"},
+
+    Key{.table = "periodic",
+        .name = "gradient",
+        .type = ValueType::matrix,
+        .need = Need::required,
+        .help = "deformation gradient F of the cell, [[Fxx, Fxy], [Fyx, Fyy]], determinant > 0"},
+
+    Key{.table = "support",
+        .name = "where",
+        .type = ValueType::selection,
+        .need = Need::required,
+        .help = "vertices that are held"},
+    Key{.table = "support",
+        .name = "fix",
+        .type = ValueType::names,
+        .need = Need::required,
+        .choices = "ux uy uz",
+        .later_choices = "rx ry rz",
+        .help = "displacements that are zero there"},
+    Key{.table = "support",
+        .name = "kind",
+        .type = ValueType::name,
+        .need = Need::later,
+        .later_choices = "clamped supported symmetry diaphragm",
+        .help = "a usual support by its name"},
+    Key{.table = "support",
+        .name = "rotation",
+        .type = ValueType::name,
+        .need = Need::later,
+        .later_choices = "hard soft",
+        .help = "how rotations are held"},
+
+    Key{.table = "load",
+        .name = "where",
+        .type = ValueType::selection,
+        .need = Need::required,
+        .help = "faces, boundary edges or vertices on which it acts"},
+    Key{.table = "load",
+        .name = "force",
+        .type = ValueType::formula_vector,
+        .need = Need::one_of,
+        .help = "at each selected vertex"},
+    Key{.table = "load",
+        .name = "force_per_length",
+        .type = ValueType::formula_vector,
+        .need = Need::one_of,
+        .help = "along the selected boundary edges"},
+    Key{.table = "load",
+        .name = "force_per_area",
+        .type = ValueType::formula_vector,
+        .need = Need::one_of,
+        .help = "over the selected faces"},
+    Key{.table = "load",
+        .name = "force_per_volume",
+        .type = ValueType::formula_vector,
+        .need = Need::one_of,
+        .help = "over the selected faces, times the thickness"},
+    Key{.table = "load",
+        .name = "pressure",
+        .type = ValueType::formula,
+        .need = Need::one_of,
+        .help = "against the outward normal"},
+    Key{.table = "load",
+        .name = "moment",
+        .type = ValueType::formula_vector,
+        .need = Need::later,
+        .help = "at each selected vertex"},
+
+    Key{.table = "probe",
+        .name = "name",
+        .need = Need::required,
+        .help = "heading of its results; no two alike"},
+    Key{.table = "probe",
+        .name = "at",
+        .type = ValueType::point,
+        .need = Need::required,
+        .help = "[x, y] or [x, y, z]; the nearest point of the surface is taken"}};
+
+std::string scheme_names() {
+  std::string names;
+  for (const Scheme& scheme : all_schemes())
+    names.append(scheme.name).push_back(' ');
+  return names;
+}
+
+/// The table, with what other modules have to say.
+std::vector<Key> complete_keys() {
+  static const std::string schemes = scheme_names();
+  std::vector<Key> result(keys.begin(), keys.end());
+  for (Key& key : result)
+    if (key.table == "mesh" && key.name == "scheme") key.choices = schemes;
+  return result;
+}
+
+std::string describe_range(const Range& range, std::string_view noun) {
+  if (range.high == std::numeric_limits<double>::infinity()) {
+    if (range.low == -range.high) return std::string(noun);
+    return fmt::format("{} {} {}", noun, range.low_open ? ">" : ">=", range.low);
+  }
+  if (range.low_open && range.high_open)
+    return fmt::format("{} between {} and {}, both excluded", noun, range.low, range.high);
+  return fmt::format("{} from {} to {}", noun, range.low, range.high);
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+std::span<const Table> problem_tables() {
+  return tables;
+}
+
+std::span<const Key> problem_keys() {
+  static const std::vector<Key> all = complete_keys();
+  return all;
+}
+
+const Table* find_table(std::string_view name) {
+  const auto table =
+      std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == name; });
+  return table == tables.end() ? nullptr : &*table;
+}
+
+const Key* find_key(std::string_view table, std::string_view name) {
+  for (const Key& key : problem_keys())
+    if (key.table == table && key.name == name) return &key;
+  return nullptr;
+}
+
+std::vector<std::string_view> names_in(std::string_view table) {
+  std::vector<std::string_view> names;
+  for (const Key& key : problem_keys())
+    if (key.table == table && key.need != Need::later) names.push_back(key.name);
+  for (const Table& t : tables)
+    if (table.empty() && t.need != Need::later) names.push_back(t.name);
+  return names;
+}
+
+std::string written(const Table& table) {
+  return table.form == TableForm::list ? fmt::format("[[{}]]", table.name)
+                                       : fmt::format("[{}]", table.name);
+}
+
+std::vector<std::string_view> split_words(std::string_view words) {
+  std::vector<std::string_view> result;
+  while (!(words = trim(words)).empty())
+    result.push_back(next_token(words));
+  return result;
+}
+
+std::string describe_value(const Key& key) {
+  switch (key.type) {
+    case ValueType::text:
+      return "text";
+    case ValueType::name:
+      return fmt::format("one of {}", fmt::join(split_words(key.choices), ", "));
+    case ValueType::names:
+      return fmt::format("a list of {}", fmt::join(split_words(key.choices), ", "));
+    case ValueType::integer:
+      return describe_range(key.range, "an integer");
+    case ValueType::number:
+      return describe_range(key.range, "a number");
+    case ValueType::boolean:
+      return "true or false";
+    case ValueType::formula:
+      return "a number or a formula";
+    case ValueType::formula_vector:
+      return "two or three numbers or formulas";
+    case ValueType::point:
+      return "two or three numbers";
+    case ValueType::matrix:
+      return "2 x 2 numbers";
+    case ValueType::selection:
+      return "a selection";
+  }
+  return {};
+}
+
+}  // namespace limes

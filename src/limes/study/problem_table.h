@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "limes/core/types.h"
+#include "limes/study/expression.h"
+#include "limes/study/problem_keys.h"
+
+namespace limes {
+
+/// Where a problem says something: "FILE:LINE", or an override as it was typed.
+struct Place {
+  std::string text;
+  bool is_override = false;
+};
+
+/// @throws UsageError for an override, else InputError: "PLACE: what"
+[[noreturn]] void fail(const Place& place, std::string_view what);
+
+/// Nodes that come from overrides carry the override as the path of their source.
+[[nodiscard]] Place place_of(const toml::node& node, std::string_view file);
+/// Line in the file, 0 for what comes from an override.
+[[nodiscard]] int line_of(const toml::node& node);
+
+/// One table of a problem file, checked key by key against problem_keys.h. Keeps references.
+class TableReader {
+ public:
+  /// Checks that every key is known and available, and that none is missing.
+  /// @param table  its row in the schema; a nameless one for the top of the file
+  TableReader(const toml::table& values, const Table& table, std::string_view file);
+
+  [[nodiscard]] bool has(std::string_view key) const { return values_->contains(key); }
+  [[nodiscard]] int line() const { return line_of(*values_); }
+  /// Of the key if it is there, else of the table.
+  [[nodiscard]] Place place(std::string_view key = {}) const;
+  [[nodiscard]] int line(std::string_view key) const;
+  /// The one key of those marked Need::one_of; checked to be there and alone.
+  [[nodiscard]] std::string_view chosen_key() const;
+
+  // Each reads the value of a key of the fitting type; an absent key leaves `value` as it is.
+  void read(std::string_view key, std::string& value) const;
+  void read(std::string_view key, std::vector<std::string>& value) const;
+  void read(std::string_view key, int& value) const;
+  void read(std::string_view key, double& value) const;
+  void read(std::string_view key, bool& value) const;
+  void read(std::string_view key, Expression& value) const;
+  void read(std::string_view key, std::array<Expression, 3>& value) const;
+  void read(std::string_view key, Vec3& value) const;
+  void read(std::string_view key, Mat2& value) const;
+
+ private:
+  [[nodiscard]] const toml::node* find(std::string_view key) const;
+  [[nodiscard]] std::string label(std::string_view key) const;
+  [[noreturn]] void fail_value(const Key& key, const toml::node& value) const;
+  void check_known(std::string_view key, const toml::node& value) const;
+  void check_choice(const Key& key, const std::string& word, const toml::node& value) const;
+  [[nodiscard]] double number(const Key& key, const toml::node& value) const;
+  [[nodiscard]] Expression formula(const Key& key, const toml::node& value) const;
+  /// The entries of a list, `fewest` to `most` of them.
+  [[nodiscard]] std::vector<const toml::node*> entries(const Key& key, const toml::node& value,
+                                                       std::size_t fewest, std::size_t most) const;
+
+  const toml::table* values_;
+  Table table_;
+  std::string_view file_;
+};
+
+}  // namespace limes
