@@ -68,7 +68,8 @@ constexpr std::array keys{
         .type = ValueType::name,
         .choices = "free phantom",
         .initial = "free",
-        .help = "the field beyond the boundary: unknowns of its own, or phantom points"},
+        .help =
+            "beyond the boundary: free ghost points, or phantom points, which follow the others"},
     Key{.table = "model",
         .name = "kinks",
         .type = ValueType::boolean,
