@@ -38,30 +38,39 @@ Values evaluate(const LimitBasis& basis, FaceId f, int corner,
   return out;
 }
 
-/// Keeps the functions that are felt somewhere on the element.
-void keep_active(const Values& all, ElementTable& table) {
+/// The functions that are felt somewhere on the element.
+std::vector<int> felt(const Values& all) {
+  std::vector<int> active;
   for (Eigen::Index a = 0; a < all.N.cols(); ++a)
     if (all.N.col(a).cwiseAbs().maxCoeff() > 0 || all.Nu.col(a).cwiseAbs().maxCoeff() > 0)
-      table.active.push_back(static_cast<int>(a));
-  const auto k = static_cast<Eigen::Index>(table.active.size());
-  for (MatrixX* m : {&table.N, &table.Nu, &table.Nv})
-    m->resize(all.N.rows(), k);
-  for (Eigen::Index j = 0; j < k; ++j) {
-    const int a = table.active[static_cast<std::size_t>(j)];
-    table.N.col(j) = all.N.col(a);
-    table.Nu.col(j) = all.Nu.col(a);
-    table.Nv.col(j) = all.Nv.col(a);
-  }
+      active.push_back(static_cast<int>(a));
+  return active;
+}
+
+MatrixX columns(const MatrixX& all, const std::vector<int>& chosen) {
+  MatrixX out(all.rows(), static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t j = 0; j < chosen.size(); ++j)
+    out.col(static_cast<Eigen::Index>(j)) = all.col(chosen[j]);
+  return out;
+}
+
+void set_geometry(Values values, ElementTable& table) {
+  table.G = std::move(values.N);
+  table.Gu = std::move(values.Nu);
+  table.Gv = std::move(values.Nv);
+}
+
+void set_field(const Values& all, std::vector<int> active, ElementTable& table) {
+  table.N = columns(all.N, active);
+  table.Nu = columns(all.Nu, active);
+  table.Nv = columns(all.Nv, active);
+  table.active = std::move(active);
 }
 
 }  // namespace
 
 ElementTable quadrature_table(const ElementShape& shape, const ElementQuadrature& quadrature) {
-  const LimitBasis& g = *shape.geometry;
-  const LimitBasis& f = *shape.field;
-  const auto tiles =
-      element_tiles({{&g.kinds(), g.kind(shape.face)}, {&f.kinds(), f.kind(shape.face)}},
-                    g.topology().face_size(shape.face), shape.corner, quadrature.depth);
+  const auto tiles = element_tiles(shape, quadrature.depth);
   const QuadratureRule rule = gauss_rule(quadrature.points);
   const auto n = rule.point.size();
   ElementTable table;
@@ -75,27 +84,20 @@ ElementTable quadrature_table(const ElementShape& shape, const ElementQuadrature
             t.origin.y() + t.size * rule.point[j];
         table.weight(row) = t.size * t.size * rule.weight[i] * rule.weight[j];
       }
-  const Values geometry = evaluate(g, shape.face, shape.corner, table.uv);
-  table.G = geometry.N;
-  table.Gu = geometry.Nu;
-  table.Gv = geometry.Nv;
-  keep_active(evaluate(f, shape.face, shape.corner, table.uv), table);
+  set_geometry(evaluate(*shape.geometry, shape.face, shape.corner, table.uv), table);
+  const Values field = evaluate(*shape.field, shape.face, shape.corner, table.uv);
+  set_field(field, felt(field), table);
   return table;
 }
 
-ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& points) {
+ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& points,
+                          const std::vector<int>& active) {
   ElementTable table;
   table.uv.resize(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i)
     table.uv.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-  const Values geometry = evaluate(*shape.geometry, shape.face, shape.corner, table.uv);
-  table.G = geometry.N;
-  table.Gu = geometry.Nu;
-  table.Gv = geometry.Nv;
-  const Values field = evaluate(*shape.field, shape.face, shape.corner, table.uv);
-  table.N = field.N;
-  table.Nu = field.Nu;
-  table.Nv = field.Nv;
+  set_geometry(evaluate(*shape.geometry, shape.face, shape.corner, table.uv), table);
+  set_field(evaluate(*shape.field, shape.face, shape.corner, table.uv), active, table);
   return table;
 }
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "limes/limit/limit_basis.h"
 #include "limes/space/element_tiles.h"
 
 namespace limes {
@@ -20,14 +19,6 @@ struct ElementTable {
   std::vector<int> active;
 };
 
-/// Which element of which face, and the functions on it.
-struct ElementShape {
-  const LimitBasis* geometry;
-  const LimitBasis* field;
-  FaceId face;
-  int corner;
-};
-
 /// Gauss points on all tiles of an element.
 struct ElementQuadrature {
   int points = 3;  ///< per direction and tile
@@ -41,6 +32,8 @@ struct ElementQuadrature {
 
 /// Values at given points. Derivatives at an extraordinary vertex, which do not exist, are those
 /// 2^-20 of the element's size further inside, where physical gradients have converged.
-[[nodiscard]] ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& points);
+/// @param active  the field functions to keep
+[[nodiscard]] ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& points,
+                                        const std::vector<int>& active);
 
 }  // namespace limes

@@ -29,18 +29,24 @@ ParameterTile tile_of(const Frame& f) {
   return {f.origin.cwiseMin(opposite), std::abs(f.a.x() + f.a.y())};
 }
 
+/// A kind of ring on the way down.
+struct KindAt {
+  const RingKinds* kinds;
+  int kind;
+};
+
 class TileWalk {
  public:
   std::vector<ParameterTile> tiles;
 
   /// @param depth  rings still allowed around corners that never become polynomial
-  void add(const std::vector<KindOfElement>& functions, const Frame& frame, int depth) {
-    const bool polynomial =
-        std::all_of(functions.begin(), functions.end(),
-                    [](const KindOfElement& f) { return (*f.kinds)[f.kind].patch.has_value(); });
-    const bool endless =
-        std::any_of(functions.begin(), functions.end(),
-                    [](const KindOfElement& f) { return (*f.kinds)[f.kind].self_similar; });
+  void add(const std::vector<KindAt>& functions, const Frame& frame, int depth) {
+    const bool polynomial = std::all_of(functions.begin(), functions.end(), [](const KindAt& f) {
+      return (*f.kinds)[f.kind].patch.has_value();
+    });
+    const bool endless = std::any_of(functions.begin(), functions.end(), [](const KindAt& f) {
+      return (*f.kinds)[f.kind].self_similar;
+    });
     if (polynomial || (endless && depth == 0)) {
       tiles.push_back(tile_of(frame));
       return;
@@ -49,8 +55,8 @@ class TileWalk {
       add(children(functions, c), child_frame(frame, c), endless ? depth - 1 : depth);
   }
 
-  static std::vector<KindOfElement> children(std::vector<KindOfElement> functions, int c) {
-    for (KindOfElement& f : functions) {
+  static std::vector<KindAt> children(std::vector<KindAt> functions, int c) {
+    for (KindAt& f : functions) {
       const RingKind& kind = (*f.kinds)[f.kind];
       if (!kind.patch) f.kind = kind.children[static_cast<std::size_t>(c)].kind;
     }
@@ -60,9 +66,12 @@ class TileWalk {
 
 }  // namespace
 
-std::vector<ParameterTile> element_tiles(std::vector<KindOfElement> functions, int face_size,
-                                         int corner, int depth) {
-  if (face_size != 4) functions = TileWalk::children(std::move(functions), corner);
+std::vector<ParameterTile> element_tiles(const ElementShape& shape, int depth) {
+  std::vector<KindAt> functions;
+  for (const LimitBasis* basis : {shape.geometry, shape.field})
+    functions.push_back({&basis->kinds(), basis->kind(shape.face)});
+  if (shape.geometry->topology().face_size(shape.face) != 4)
+    functions = TileWalk::children(std::move(functions), shape.corner);
   TileWalk walk;
   walk.add(functions, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, depth);
   return std::move(walk.tiles);

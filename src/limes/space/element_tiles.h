@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limes/limit/ring_kind.h"
+#include "limes/limit/limit_basis.h"
 
 namespace limes {
 
@@ -13,17 +13,17 @@ struct ParameterTile {
   double size;  ///< length of its sides
 };
 
-/// One kind of ring and the place in it where an element begins.
-struct KindOfElement {
-  const RingKinds* kinds;
-  int kind;
+/// Which element of which face, and the functions on it.
+struct ElementShape {
+  const LimitBasis* geometry;
+  const LimitBasis* field;
+  FaceId face;
+  int corner;  ///< quadrant of the face, see LimitBasis
 };
 
-/// Tiles that suit several sets of limit functions at once (geometry and field): every ring of
-/// tiles around a corner where functions are not polynomial, down to `depth` rings, then the square
-/// that is left over. A regular element is one tile.
-/// @param face_size, corner  of the element's face, see LimitBasis
-[[nodiscard]] std::vector<ParameterTile> element_tiles(std::vector<KindOfElement> functions,
-                                                       int face_size, int corner, int depth);
+/// Tiles that suit geometry and field at once: every ring of tiles around a corner where functions
+/// are not polynomial, down to `depth` rings, then the square that is left over. A regular element
+/// is one tile.
+[[nodiscard]] std::vector<ParameterTile> element_tiles(const ElementShape& shape, int depth);
 
 }  // namespace limes

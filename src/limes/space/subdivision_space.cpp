@@ -89,22 +89,12 @@ Eigen::Matrix<double, Eigen::Dynamic, 3> SubdivisionSpace::control_points(int el
   return P;
 }
 
-std::vector<ElementTable> SubdivisionSpace::sample_tables(const std::vector<Vec2>& points) const {
-  std::vector<ElementTable> out;
-  for (std::size_t s = 0; s < tables_.size(); ++s) {
-    const Element& e = elements_[static_cast<std::size_t>(first_of_shape_[s])];
-    ElementTable all = sample_table(shape_of(e), points);
-    ElementTable kept = all;
-    kept.active = tables_[s].active;
-    for (auto [from, to] :
-         {std::pair(&all.N, &kept.N), std::pair(&all.Nu, &kept.Nu), std::pair(&all.Nv, &kept.Nv)}) {
-      to->resize(from->rows(), static_cast<Eigen::Index>(kept.active.size()));
-      for (std::size_t j = 0; j < kept.active.size(); ++j)
-        to->col(static_cast<Eigen::Index>(j)) = from->col(kept.active[j]);
-    }
-    out.push_back(std::move(kept));
-  }
-  return out;
+ElementTable SubdivisionSpace::sample(int shape, const std::vector<Vec2>& points) const {
+  return sample_table(shape_of(first_of_shape(shape)), points, table(shape).active);
+}
+
+std::vector<ParameterTile> SubdivisionSpace::tiles(int shape, int depth) const {
+  return element_tiles(shape_of(first_of_shape(shape)), depth);
 }
 
 std::vector<int> SubdivisionSpace::face_dofs(FaceId face) const {

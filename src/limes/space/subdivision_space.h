@@ -56,9 +56,10 @@ class SubdivisionSpace {
   [[nodiscard]] const ElementTable& table(int shape) const {
     return tables_[static_cast<std::size_t>(shape)];
   }
-  /// The same functions at points of one's own: one table per shape, all field functions (`active`
-  /// as in table(shape)).
-  [[nodiscard]] std::vector<ElementTable> sample_tables(const std::vector<Vec2>& points) const;
+  /// The same functions at points of one's own.
+  [[nodiscard]] ElementTable sample(int shape, const std::vector<Vec2>& points) const;
+  /// Tiles on which all functions of a shape are polynomials, see element_tiles.
+  [[nodiscard]] std::vector<ParameterTile> tiles(int shape, int depth) const;
 
   /// Degree of freedom of a vertex of the extended mesh, -1 if no element feels it.
   [[nodiscard]] int dof(VertexId v) const { return dof_[v]; }
@@ -72,6 +73,9 @@ class SubdivisionSpace {
  private:
   void add_elements(const std::vector<bool>& drop);
   void number_dofs();
+  [[nodiscard]] const Element& first_of_shape(int shape) const {
+    return elements_[static_cast<std::size_t>(first_of_shape_[static_cast<std::size_t>(shape)])];
+  }
   [[nodiscard]] ElementShape shape_of(const Element& e) const {
     return {geometry_.get(), field_.get(), e.face, e.corner};
   }
