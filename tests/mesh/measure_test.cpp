@@ -63,6 +63,10 @@ TEST(Measure, SizesThatDoNotSquare) {
     EXPECT_NEAR(measure(mesh).bounds.diagonal() / size, std::sqrt(3.0), 1e-15);
     EXPECT_DOUBLE_EQ(face_area(mesh, FaceId(0)).relative, 0.5);
   }
+  Mesh all = make_cube();  // corners at the largest doubles
+  for (Vec3& x : all.points)
+    x = (2.0 * x - Vec3::Ones()) * std::numeric_limits<double>::max();
+  EXPECT_DOUBLE_EQ(face_area(all, FaceId(0)).relative, 0.5);
   Mesh across = make_mesh(3, {{0, 1, 2}});
   across.points.vector() = {Vec3(-1.5e308, 0, 0), Vec3(1.5e308, 0, 0), Vec3(0, 1e308, 0)};
   EXPECT_DOUBLE_EQ(face_area(across, FaceId(0)).relative, 1.5 / (9 + 1));
@@ -79,7 +83,10 @@ TEST(Measure, BrokenMeshes) {
   const MeshMeasure nothing = measure(Mesh());
   EXPECT_EQ(nothing.components, 0);
   EXPECT_EQ(nothing.bounds.diagonal(), 0);
-  EXPECT_EQ(measure(make_mesh(1, {{0}})).edges, 1);
+  const MeshMeasure point = measure(make_mesh(1, {{0}}));
+  EXPECT_EQ(point.edges, 0);
+  EXPECT_EQ(point.components, 1);
+  EXPECT_EQ(point.euler, 2);
 }
 
 }  // namespace

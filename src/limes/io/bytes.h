@@ -19,13 +19,13 @@ template <class T>
   return value;
 }
 
-/// Appends a number, little endian, to anything with append(first, last).
-template <class T, class Buffer>
-void append_number(Buffer& buffer, T value) {
+/// The bytes of a number, little endian.
+template <class T>
+[[nodiscard]] std::array<char, sizeof(T)> number_bytes(T value) {
   std::array<char, sizeof(T)> raw;
   std::memcpy(raw.data(), &value, sizeof(T));
   if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
-  buffer.append(raw.data(), raw.data() + raw.size());
+  return raw;
 }
 
 }  // namespace limes

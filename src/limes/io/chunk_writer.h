@@ -24,7 +24,8 @@ class ChunkWriter {
   /// A number as little-endian bytes.
   template <class T>
   void number(T value) {
-    append_number(buffer_, value);
+    const auto bytes = number_bytes(value);
+    buffer_.append(bytes.data(), bytes.data() + bytes.size());
     if (buffer_.size() > chunk_size) flush();
   }
   /// Hands over what is left; to be called at the end.

@@ -55,15 +55,21 @@ std::string read_bytes(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) throw InputError("{}: no such file", name);
+  if (error) throw InputError("{}: cannot be read: {}", name, error.message());
   if (fs::is_directory(status)) throw InputError("{}: is a directory; a mesh file is right", name);
   if (!fs::is_regular_file(status)) throw InputError("{}: is no regular file", name);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
                                                              std::fclose);
   if (!file) throw InputError("{}: {}", name, std::generic_category().message(errno));
-  std::string bytes(static_cast<std::size_t>(fs::file_size(path)), '\0');
-  const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), file.get());
-  if (std::ferror(file.get())) throw InputError("{}: cannot be read", name);
-  bytes.resize(size);
+  std::string bytes;
+  const std::uintmax_t size = fs::file_size(path, error);
+  try {
+    bytes.resize(error ? 0 : static_cast<std::size_t>(size));
+  } catch (const std::exception&) {  // bad_alloc or length_error
+    throw InputError("{}: {} bytes do not fit into memory", name, size);
+  }
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  if (error || std::ferror(file.get()) != 0) throw InputError("{}: cannot be read", name);
   return bytes;
 }
 
@@ -107,6 +113,9 @@ std::vector<std::string> losses(const fs::path& file, const Format& format, cons
   if (!format.tags && tags.creases.size() + tags.corners.size() > 0)
     add(fmt::format("{} keeps no sharpness; {} creases and {} corners lost", format.name,
                     tags.creases.size(), tags.corners.size()));
+  if (!format.tags &&
+      (tags.boundary || tags.smooth_triangles || tags.crease_method != CreaseMethod::uniform))
+    add(fmt::format("{} keeps no rules of subdivision; those of the file lost", format.name));
   if (!format.names && mesh.groups.size() + mesh.parts.size() > 0)
     add(fmt::format("{} keeps no names; {} groups and {} parts lost", format.name,
                     mesh.groups.size(), mesh.parts.size()));

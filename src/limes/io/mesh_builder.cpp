@@ -21,6 +21,7 @@ void MeshBuilder::add_point(double x, double y, double z) {
 bool MeshBuilder::add_face(std::span<const std::int64_t> corners, std::int64_t line) {
   if (corners.size() < 3) {
     remarks_.add(line, "face with fewer than 3 corners left out");
+    ++num_small_faces_;
     return false;
   }
   if (static_cast<std::int64_t>(corners_.size() + corners.size()) > most)
@@ -39,8 +40,9 @@ std::string MeshBuilder::where(std::int64_t line, int face) const {
 }
 
 void MeshBuilder::fail_vertex(std::int64_t vertex, std::int64_t line) const {
-  throw InputError("{}: vertex {} does not exist; vertices are numbered from {}",
-                   where(line, num_faces()), vertex + first_number_, first_number_);
+  throw InputError("{}: vertex {} does not exist; vertices are numbered from {}, at most to {}",
+                   where(line, num_faces()), vertex + first_number_, first_number_,
+                   most - 1 + first_number_);
 }
 
 void MeshBuilder::check_corners() const {
@@ -58,7 +60,10 @@ void MeshBuilder::check_corners() const {
 Mesh MeshBuilder::build() {
   check_corners();
   if (num_faces() == 0)
-    throw InputError("{}: no faces; a mesh needs at least one face with three corners", file_);
+    throw InputError("{}: no faces{}; a mesh needs at least one face with three corners", file_,
+                     num_small_faces_ == 0 ? ""
+                                           : fmt::format(" ({} with fewer than 3 corners left out)",
+                                                         num_small_faces_));
   Mesh mesh;
   mesh.topology = Topology(num_points(), std::move(offsets_), std::move(corners_));
   mesh.points = std::move(points_);

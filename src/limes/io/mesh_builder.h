@@ -43,6 +43,7 @@ class MeshBuilder {
   std::vector<int> offsets_ = {0};
   std::vector<VertexId> corners_;
   std::vector<int> lines_;
+  std::int64_t num_small_faces_ = 0;
   Remarks remarks_{file_};
 };
 

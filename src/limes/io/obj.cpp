@@ -38,6 +38,7 @@ class GroupTable {
   std::vector<FaceGroup> groups_;
 };
 
+constexpr std::size_t most_groups = 64;
 constexpr std::array<std::string_view, 10> ignored_keywords{"vt", "vn", "vp", "usemtl", "mtllib",
                                                             "s",  "l",  "p",  "lod",    "usemap"};
 
@@ -128,6 +129,8 @@ void ObjReader::read_vertex(std::string_view rest) {
     throw error(
         "a vertex with {} numbers; 3 coordinates are right, a weight and a colour may follow",
         count);
+  if (count == 4 && values[3] != 1)
+    builder_.add_remark(lines_.number(), "weight of a vertex ignored; all weigh the same");
   builder_.add_point(values[0], values[1], values[2]);
 }
 
@@ -168,13 +171,18 @@ void ObjReader::read_face(std::string_view rest) {
   ++face_statements_;
 }
 
-/// Without a name: no group.
+/// Without a name: no group. Every face is stored once for each of its groups, so their number is
+/// limited.
 void ObjReader::read_groups(std::string_view rest) {
   current_groups_.clear();
   for (std::string_view word = next_token(rest); !word.empty(); word = next_token(rest)) {
     const int group = groups_.index(valid_name(word));
-    if (std::find(current_groups_.begin(), current_groups_.end(), group) == current_groups_.end())
-      current_groups_.push_back(group);
+    if (std::find(current_groups_.begin(), current_groups_.end(), group) != current_groups_.end())
+      continue;
+    if (current_groups_.size() == most_groups)
+      throw error("more than {} groups at once; a face can be in {} groups", most_groups,
+                  most_groups);
+    current_groups_.push_back(group);
   }
 }
 

@@ -74,8 +74,8 @@ std::array<std::int64_t, 2> OffReader::read_counts() {
   skip_keyword(line);
   if (line.empty()) line = next_line(expected);
   std::array<std::int64_t, 2> counts{};
-  // the shortest lines are "0 0 0" and "1 0", with their line ends
-  constexpr std::array<std::int64_t, 2> least_bytes{6, 4};
+  // the shortest lines are "0 0 0" and "0", with their line ends
+  constexpr std::array<std::int64_t, 2> least_bytes{6, 2};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string_view token = next_token(line);
     const auto count = parse_integer(token);

@@ -29,6 +29,10 @@ class PlyValues {
   }
   /// Passes over values without looking at them.
   void skip(PlyType type, std::int64_t count);
+  /// Whether anything follows the value read last.
+  [[nodiscard]] bool any_left() {
+    return encoding_ == PlyEncoding::ascii ? !words_.next().empty() : !data_.empty();
+  }
   /// Line of the value read last; 0 in binary files.
   [[nodiscard]] std::int64_t line() const {
     return encoding_ == PlyEncoding::ascii ? words_.line() : 0;
@@ -225,6 +229,7 @@ MeshFile PlyReader::read() {
     else
       skip_element(element);
   }
+  if (values_.any_left()) builder_.add_remark(0, "data after the last element ignored");
   return {builder_.build(), builder_.remarks()};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "limes/core/text.h"
@@ -40,7 +41,7 @@ class HeaderReader {
  private:
   void read_line(std::string_view keyword, std::string_view rest);
   PlyEncoding encoding(std::string_view rest) const;
-  PlyElement element(std::string_view rest) const;
+  PlyElement element(std::string_view rest);
   PlyProperty property(std::string_view rest) const;
   PlyType type(std::string_view name) const;
   std::size_t data_begin() const;
@@ -55,6 +56,7 @@ class HeaderReader {
   LineReader lines_;
   std::optional<PlyEncoding> encoding_;
   std::vector<PlyElement> elements_;
+  std::set<std::string> names_;  // of the elements
 };
 
 PlyHeader HeaderReader::read() {
@@ -96,15 +98,13 @@ PlyEncoding HeaderReader::encoding(std::string_view rest) const {
               quote(name));
 }
 
-PlyElement HeaderReader::element(std::string_view rest) const {
+PlyElement HeaderReader::element(std::string_view rest) {
   const std::string name(next_token(rest));
   const std::string_view token = next_token(rest);
   const auto count = parse_integer(token);
   if (!count || *count < 0)
     throw error("element {}: count {} is wrong; 0 or more is right", quote(name), quote(token));
-  const bool twice = std::any_of(elements_.begin(), elements_.end(),
-                                 [&](const PlyElement& other) { return other.name == name; });
-  if (twice) throw error("element {} is declared twice", quote(name));
+  if (!names_.insert(name).second) throw error("element {} is declared twice", quote(name));
   return {name, *count, {}};
 }
 

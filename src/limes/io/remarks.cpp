@@ -19,12 +19,13 @@ void Remarks::add(std::int64_t line, std::string_view what) {
       ++left_out_;
       return;
     }
-    kinds_.push_back({std::string(what), {}, 0});
+    kinds_.push_back({std::string(what), {}, 0, 0});
     kind = kinds_.end() - 1;
   }
+  if (line > 0 && kind->last_line == line) return;  // one mention for each line
+  kind->last_line = line;
   ++kind->count;
-  const bool same_line = !kind->lines.empty() && kind->lines.back() == line;
-  if (kind->lines.size() < most_lines && !same_line) kind->lines.push_back(line);
+  if (kind->lines.size() < most_lines) kind->lines.push_back(line);
 }
 
 std::string Remarks::sentence(const Kind& kind) const {
@@ -33,13 +34,12 @@ std::string Remarks::sentence(const Kind& kind) const {
     return fmt::format("{}: {}{}", file_, kind.what,
                        kind.count > 1 ? fmt::format(" ({} times)", kind.count) : "");
   const std::string start = fmt::format("{}:{}: {}", file_, first, kind.what);
-  if (kind.lines.size() == 1)
-    return kind.count > 1 ? fmt::format("{} ({} times)", start, kind.count) : start;
+  if (kind.lines.size() == 1) return start;
   const std::string others =
       fmt::format("{}", fmt::join(kind.lines.begin() + 1, kind.lines.end(), ", "));
   const std::int64_t more = kind.count - static_cast<std::int64_t>(kind.lines.size());
-  return more > 0 ? fmt::format("{} (also lines {} and {} more)", start, others, more)
-                  : fmt::format("{} (also lines {})", start, others);
+  if (more > 0) return fmt::format("{} (also lines {} and {} more)", start, others, more);
+  return fmt::format("{} (also {} {})", start, kind.lines.size() == 2 ? "line" : "lines", others);
 }
 
 std::vector<std::string> Remarks::sentences() const {

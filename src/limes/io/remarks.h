@@ -21,7 +21,8 @@ class Remarks {
   struct Kind {
     std::string what;
     std::vector<std::int64_t> lines;  // the first few
-    std::int64_t count = 0;
+    std::int64_t count = 0;           // of lines, or of calls without a line
+    std::int64_t last_line = 0;
   };
   [[nodiscard]] std::string sentence(const Kind& kind) const;
 

@@ -58,6 +58,7 @@ class StlReader {
   void read_text();
   void read_facet(WordReader& words);
   Vec3 read_triple(WordReader& words) const;
+  void add_triangle(std::int64_t line);
   void expect(WordReader& words, std::string_view keyword) const;
 
   std::string_view file_, bytes_;
@@ -71,12 +72,13 @@ std::size_t triangle_count(std::string_view bytes) {
   return bytes.size() < header_size ? 0 : load_number<std::uint32_t>(bytes.data() + 80);
 }
 
-/// The size decides: binary files that begin with "solid" are common.
+/// Binary files that begin with "solid" are common: their size tells, or a NUL byte near the start.
 MeshFile StlReader::read() {
   const std::size_t announced = header_size + record_size * triangle_count(bytes_);
   std::string_view start = bytes_.substr(0, 512);
   start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n\xef\xbb\xbf"), start.size()));
-  const bool text = to_lower(start.substr(0, 5)) == "solid";
+  const bool text =
+      to_lower(start.substr(0, 5)) == "solid" && start.find('\0') == std::string_view::npos;
   if (bytes_.size() >= header_size &&
       (bytes_.size() == announced || (!text && bytes_.size() > announced))) {
     read_binary();
@@ -104,12 +106,22 @@ void StlReader::read_binary() {
       if (!x.allFinite()) throw InputError("{}: triangle {}: coordinates are not finite", file_, t);
       corners_.push_back(welder_.vertex(x));
     }
-    num_corners_ += 3;
-    builder_.add_face(corners_, 0);
+    add_triangle(0);
   }
   const std::size_t rest = bytes_.size() - header_size - record_size * count;
   if (rest > 0)
     builder_.add_remark(0, fmt::format("{} bytes after the last triangle ignored", rest));
+}
+
+/// Triangles that welding collapsed are left out: their neighbours meet without them.
+void StlReader::add_triangle(std::int64_t line) {
+  num_corners_ += 3;
+  const bool collapsed =
+      corners_[0] == corners_[1] || corners_[1] == corners_[2] || corners_[2] == corners_[0];
+  if (collapsed)
+    builder_.add_remark(line, "triangle with two corners in one place left out");
+  else
+    builder_.add_face(corners_, line);
 }
 
 void StlReader::expect(WordReader& words, std::string_view keyword) const {
@@ -147,8 +159,7 @@ void StlReader::read_facet(WordReader& words) {
   }
   expect(words, "endloop");
   expect(words, "endfacet");
-  num_corners_ += 3;
-  builder_.add_face(corners_, line);
+  add_triangle(line);
 }
 
 void StlReader::read_text() {
@@ -175,7 +186,9 @@ MeshFile read_stl(std::string_view bytes, std::string_view file) {
 
 void write_stl(const ByteSink& sink, const Mesh& mesh) {
   const Topology& topology = mesh.topology;
-  const int num_triangles = topology.num_corners() - 2 * topology.num_faces();
+  int num_triangles = 0;
+  for (int f = 0; f < topology.num_faces(); ++f)
+    num_triangles += std::max(topology.face_size(FaceId(f)) - 2, 0);
   ChunkWriter out(sink);
   out.print("{:<80}", "binary STL");
   out.number(static_cast<std::uint32_t>(num_triangles));

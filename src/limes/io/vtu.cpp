@@ -31,6 +31,11 @@ std::string compress_block(std::string_view bytes) {
   return result;
 }
 
+void append_number(std::string& bytes, auto value) {
+  const auto raw = number_bytes(value);
+  bytes.append(raw.data(), raw.size());
+}
+
 /// VTK's layout of compressed data: number of blocks, size of a block, size of the last one if it
 /// is shorter (else 0), compressed sizes; then the blocks.
 std::string compress(std::string_view bytes) {

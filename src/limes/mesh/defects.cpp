@@ -142,12 +142,11 @@ void TopologyCheck::check_pieces() {
 void TopologyCheck::add_one_sided(const Piece& piece) {
   const auto [h, other] = piece.clash;
   const VertexId a = topology_.corner(h), b = topology_.corner(next_[h]);
-  out_.add(
-      DefectKind::non_orientable, {face_of_[h], face_of_[other]}, {a, b},
-      fmt::format("a piece of {} faces has one side only, like a Moebius strip: however its "
-                  "faces are turned, faces {} and {} do not match along edge {}-{} or along "
-                  "another; cut it open",
-                  piece.num_faces, face_of_[h].value, face_of_[other].value, a.value, b.value));
+  out_.add(DefectKind::non_orientable, {face_of_[h], face_of_[other]}, {a, b},
+           fmt::format(
+               "a piece of {} faces has one side only, like a Moebius strip (its twist "
+               "closes at edge {}-{} between faces {} and {}); cut it open along a line of edges",
+               piece.num_faces, a.value, b.value, face_of_[h].value, face_of_[other].value));
 }
 
 void TopologyCheck::add_orientation(const Piece& piece, std::vector<FaceId> turned) {

@@ -7,11 +7,10 @@
 
 namespace limes {
 
-double Bounds::half_diagonal() const {
+double Bounds::quarter_diagonal() const {
   if (!(lower.array() <= upper.array()).all()) return 0;
-  // halves first: upper - lower may overflow
-  const Vec3 half = 0.5 * upper - 0.5 * lower;
-  return half.stableNorm();
+  const Vec3 quarter = 0.25 * upper - 0.25 * lower;  // upper - lower may overflow
+  return quarter.stableNorm();
 }
 
 Bounds bounding_box(const Mesh& mesh) {
@@ -34,18 +33,19 @@ ScaledArea face_area(const Mesh& mesh, FaceId face) {
                                   [&](VertexId v) { return mesh.points[v].allFinite(); });
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (!finite) return {nan, nan};
-  const double half_size = box.half_diagonal();
-  if (half_size == 0) return {0, 0};
-  // fan of triangles around the first corner, in units of the face's size; halves never overflow
+  const double quarter_size = box.quarter_diagonal();
+  if (quarter_size == 0) return {0, 0};
+  // fan of triangles around the first corner, in units of the face's size
   const Vec3& origin = mesh.points[corners[0]];
   const auto arm = [&](std::size_t i) -> Vec3 {
-    return (0.5 * mesh.points[corners[i]] - 0.5 * origin) / half_size;
+    return (0.25 * mesh.points[corners[i]] - 0.25 * origin) / quarter_size;
   };
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     sum += arm(i).cross(arm(i + 1));
   const double relative = 0.5 * sum.norm();
-  return {relative * (2 * half_size) * (2 * half_size), relative};
+  const double size = 4.0 * quarter_size;
+  return {relative * size * size, relative};
 }
 
 namespace {
@@ -66,24 +66,28 @@ class Counter {
     for (std::size_t g = 0; g + 1 < edges_.offsets.size(); ++g) {
       const HalfedgeId h = edges_.halfedges[static_cast<std::size_t>(edges_.offsets[g])];
       const VertexId a = topology_.corner(h), b = topology_.corner(next_[h]);
-      components.join(a.value, b.value);
+      if (a == b) continue;  // a corner given twice in a row
+      ++out.edges;
       ++valence_[a];
-      if (a != b) ++valence_[b];
+      ++valence_[b];
+      components.join(a.value, b.value);
       if (edges_.offsets[g + 1] - edges_.offsets[g] != 1) continue;
       on_boundary_[a] = on_boundary_[b] = 1;
       boundary.join(a.value, b.value);
     }
-    out.edges = static_cast<int>(edges_.offsets.size()) - 1;
-    int used = 0;
+    IdArray<VertexId, char> used(static_cast<std::size_t>(topology_.num_vertices()), 0);
+    for (const VertexId v : topology_.corners())
+      used[v] = 1;
+    int num_used = 0;
     for (int i = 0; i < topology_.num_vertices(); ++i) {
       const VertexId v(i);
-      if (valence_[v] == 0) continue;
-      ++used;
+      if (used[v] == 0) continue;
+      ++num_used;
       out.components += components.find(i) == i ? 1 : 0;
       out.boundary_loops += on_boundary_[v] != 0 && boundary.find(i) == i ? 1 : 0;
       ++(on_boundary_[v] != 0 ? out.valence_boundary : out.valence_interior)[valence_[v]];
     }
-    out.euler = used - out.edges + topology_.num_faces();
+    out.euler = num_used - out.edges + topology_.num_faces();
   }
 
  private:

@@ -13,9 +13,9 @@ struct Bounds {
   Vec3 upper = Vec3::Constant(-std::numeric_limits<double>::infinity());
 
   /// Length of the diagonal, 0 when empty; no square overflows or vanishes on the way.
-  [[nodiscard]] double diagonal() const { return 2.0 * half_diagonal(); }
-  /// Half of it, which is always a finite double.
-  [[nodiscard]] double half_diagonal() const;
+  [[nodiscard]] double diagonal() const { return 4.0 * quarter_diagonal(); }
+  /// A quarter of it, which is finite for any finite coordinates.
+  [[nodiscard]] double quarter_diagonal() const;
 };
 [[nodiscard]] Bounds bounding_box(const Mesh& mesh);
 
@@ -29,7 +29,7 @@ struct ScaledArea {
 /// Counts and sizes of a mesh, however broken. O(n log n).
 struct MeshMeasure {
   int vertices = 0;  ///< all, also those of no face
-  int edges = 0;     ///< pairs of vertices that a side of a face joins
+  int edges = 0;     ///< pairs of different vertices that a side of a face joins
   int faces = 0;
   int components = 0;      ///< of faces that share vertices
   int boundary_loops = 0;  ///< connected curves of edges with one face; touching loops count once
