@@ -1,6 +1,12 @@
 #include "limes/study/selection.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
@@ -46,6 +52,14 @@ bool is_word(std::string_view text) {
   return true;
 }
 
+/// "x from 0 to 1, y from ..." of the points that faces use.
+std::string describe_extent(const Vec3& low, const Vec3& high) {
+  return fmt::format(
+      "the mesh has x from {:.6g} to {:.6g}, y from {:.6g} to {:.6g}, z from {:.6g} "
+      "to {:.6g}",
+      low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+}
+
 }  // namespace
 
 Where parse_where(std::string_view text) {
@@ -65,6 +79,146 @@ Where parse_where(std::string_view text) {
                      suggest(text, words));
   (void)Expression(text);
   return where;
+}
+
+Selection::Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<const Vec3> points,
+                     std::string_view where, std::string_view file, int line)
+    : mesh_(&mesh),
+      adjacency_(&adjacency),
+      place_(line ? fmt::format("{}:{}", file, line) : std::string(file)),
+      vertices_(static_cast<std::size_t>(mesh.topology.num_vertices()), false) {
+  LIMES_ASSERT(points.size() == vertices_.size());
+  try {
+    where_ = parse_where(where);
+  } catch (const InputError& error) {
+    throw InputError("{}: where: {}", place_, error.what());
+  }
+  switch (where_.kind) {
+    case Where::Kind::all:
+      for (std::size_t v = 0; v < vertices_.size(); ++v)
+        vertices_[v] = used(v);
+      break;
+    case Where::Kind::boundary:
+      select_boundary();
+      break;
+    case Where::Kind::group:
+      select_group(mesh.groups, "group");
+      break;
+    case Where::Kind::part:
+      select_group(mesh.parts, "part");
+      break;
+    case Where::Kind::vertex:
+      select_vertex();
+      break;
+    case Where::Kind::condition:
+      select_condition(points);
+      break;
+  }
+}
+
+void Selection::fail(const std::string& what) const {
+  throw InputError("{}: where = {} {}", place_, quote(where_.text), what);
+}
+
+bool Selection::used(std::size_t vertex) const {
+  return adjacency_->ring_start(VertexId(static_cast<std::int64_t>(vertex))).valid();
+}
+
+void Selection::select_boundary() {
+  bool any = false;
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    vertices_[v] = adjacency_->is_boundary(VertexId(static_cast<std::int64_t>(v)));
+    any = any || vertices_[v];
+  }
+  if (!any) fail("selects nothing: the mesh has no boundary");
+}
+
+void Selection::select_group(const std::vector<FaceGroup>& groups, std::string_view kind) {
+  faces_.assign(static_cast<std::size_t>(mesh_->topology.num_faces()), false);
+  bool any = false;
+  for (const FaceGroup& group : groups) {
+    if (group.name != where_.name) continue;
+    for (const FaceId f : group.faces) {
+      any = faces_[static_cast<std::size_t>(f.value)] = true;
+      for (const VertexId v : mesh_->topology.face(f))
+        vertices_[static_cast<std::size_t>(v.value)] = true;
+    }
+  }
+  if (any) return;
+  if (groups.empty()) fail(fmt::format("selects nothing: the mesh has no {}s", kind));
+  std::vector<std::string_view> names;
+  for (const FaceGroup& group : groups)
+    if (!group.faces.empty()) names.push_back(group.name);
+  fail(fmt::format("selects nothing: there is no face in a {} of that name; {}", kind,
+                   suggest(where_.name, names)));
+}
+
+void Selection::select_vertex() {
+  const int v = where_.vertex.value;
+  const int count = mesh_->topology.num_vertices();
+  if (v >= count)
+    fail(fmt::format("does not exist: vertices count from 0 to {} after refinement", count - 1));
+  if (!used(static_cast<std::size_t>(v))) fail("selects nothing: no face uses that vertex");
+  vertices_[static_cast<std::size_t>(v)] = true;
+}
+
+void Selection::select_condition(std::span<const Vec3> points) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!used(v)) continue;
+    low = low.cwiseMin(points[v]);
+    high = high.cwiseMax(points[v]);
+  }
+  constexpr double relative_tolerance = 1e-9;
+  const Expression condition(where_.text, relative_tolerance * (high - low).norm());
+  bool any = false;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!used(v)) continue;
+    const double value = condition(points[v]);
+    if (std::isnan(value))
+      fail(fmt::format("has no value at ({:.6g}, {:.6g}, {:.6g})", points[v].x(), points[v].y(),
+                       points[v].z()));
+    if (value != 0 && value != 1)
+      fail(
+          fmt::format("is {:.6g} at ({:.6g}, {:.6g}, {:.6g}), neither true nor false; compare, as "
+                      "in x == 0",
+                      value, points[v].x(), points[v].y(), points[v].z()));
+    vertices_[v] = value == 1;
+    any = any || vertices_[v];
+  }
+  if (!any)
+    fail("selects no vertex; after refinement, on the limit surface, " +
+         describe_extent(low, high));
+}
+
+std::vector<FaceId> Selection::faces() const {
+  const Topology& topology = mesh_->topology;
+  std::vector<FaceId> result;
+  for (int f = 0; f < topology.num_faces(); ++f) {
+    const auto corners = topology.face(FaceId(f));
+    const bool selected =
+        faces_.empty()
+            ? std::all_of(corners.begin(), corners.end(),
+                          [&](VertexId v) { return vertices_[static_cast<std::size_t>(v.value)]; })
+            : faces_[static_cast<std::size_t>(f)];
+    if (selected) result.emplace_back(f);
+  }
+  return result;
+}
+
+std::vector<HalfedgeId> Selection::boundary_edges() const {
+  std::vector<HalfedgeId> result;
+  for (int i = 0; i < mesh_->topology.num_corners(); ++i) {
+    const HalfedgeId h(i);
+    if (adjacency_->twin(h).valid()) continue;
+    const bool selected = faces_.empty()
+                              ? vertices_[static_cast<std::size_t>(adjacency_->from(h).value)] &&
+                                    vertices_[static_cast<std::size_t>(adjacency_->to(h).value)]
+                              : faces_[static_cast<std::size_t>(adjacency_->face(h).value)];
+    if (selected) result.push_back(h);
+  }
+  return result;
 }
 
 }  // namespace limes

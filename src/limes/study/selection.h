@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,5 +22,42 @@ struct Where {
 /// Reads "all", "boundary", "group:NAME", "part:NAME", "vertex:12", or a condition in x, y, z.
 /// @throws InputError that says what is wrong, without the place in a file
 [[nodiscard]] Where parse_where(std::string_view text);
+
+/// The vertices, faces and boundary edges of a mesh that a `where` means.
+///
+/// A condition is tested at the vertices' limit positions; == means within 1e-9 of the diagonal of
+/// their bounding box. Vertices without a face are never selected. Keeps references.
+class Selection {
+ public:
+  /// @param adjacency  of mesh.topology
+  /// @param points     limit position of every vertex
+  /// @param file,line  where the problem says `where`, for messages; line 0: unknown
+  /// @throws InputError if it selects no vertex, with what there is to select
+  Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<const Vec3> points,
+            std::string_view where, std::string_view file, int line);
+
+  /// For every vertex whether it is selected; those of a group are the corners of its faces.
+  [[nodiscard]] const std::vector<bool>& vertices() const { return vertices_; }
+  /// Faces whose vertices are all selected; of a group or part exactly its faces. Ascending.
+  [[nodiscard]] std::vector<FaceId> faces() const;
+  /// Boundary halfedges whose ends are both selected; of a group or part those of its faces.
+  /// Ascending.
+  [[nodiscard]] std::vector<HalfedgeId> boundary_edges() const;
+
+ private:
+  void select_group(const std::vector<FaceGroup>& groups, std::string_view kind);
+  void select_boundary();
+  void select_vertex();
+  void select_condition(std::span<const Vec3> points);
+  [[noreturn]] void fail(const std::string& what) const;
+  [[nodiscard]] bool used(std::size_t vertex) const;
+
+  const Mesh* mesh_;
+  const Adjacency* adjacency_;
+  Where where_;
+  std::string place_;
+  std::vector<bool> vertices_;
+  std::vector<bool> faces_;  // only for groups and parts
+};
 
 }  // namespace limes
