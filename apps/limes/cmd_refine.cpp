@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "files.h"
+#include "limes/core/interrupt.h"
+#include "limes/core/text.h"
+#include "limes/subdiv/refine.h"
+#include "limit_mesh.h"
+#include "memory.h"
+#include "run.h"
+#include "size_plan.h"
+#include "terminal.h"
+
+namespace limes::app {
+namespace {
+
+struct RefineCommand {
+  MeshOptions mesh;
+  std::filesystem::path output;
+  SchemeOptions scheme;
+  RunOptions run;
+  std::string levels;
+  bool limit = false;
+
+  void operator()() const;
+};
+
+void RefineCommand::operator()() const {
+  const Run current(run);
+  const SchemeChoice choice = choose_scheme(scheme);
+  const int num_levels = parse_whole_number("--levels", levels, 0);
+  check_mesh_output(output);
+  Mesh coarse = num_levels > 0 || limit ? load_refinable_mesh(mesh) : load_mesh(mesh);
+  if (choice.boundary) coarse.tags.boundary = choice.boundary;
+  require_feasible(coarse.topology, *choice.scheme, num_levels,
+                   {.limit_points = limit, .vtu = to_lower(output.extension().string()) == ".vtu"},
+                   current.memory_limit(), mesh.file.string());
+  Mesh fine;
+  {
+    const Progress progress(fmt::format("refining {}", mesh.file.string()));
+    const RefineOptions options{num_levels, choice.boundary_for(coarse)};
+    if (limit)
+      fine = limit_mesh(coarse, *choice.scheme, options);
+    else
+      fine = num_levels > 0 ? refine(coarse, *choice.scheme, options) : std::move(coarse);
+  }
+  check_interrupt();
+  save_mesh(output, fine);
+
+  const int vertices = fine.topology.num_vertices();
+  const int faces = fine.topology.num_faces();
+  if (run.json)
+    print_object({{"vertices", vertices},
+                  {"faces", faces},
+                  {"levels", num_levels},
+                  {"seconds", current.seconds()},
+                  {"peak_memory", peak_memory()}});
+  else
+    print(fmt::format("{}: {} vertices, {} faces\n", output.string(), vertices, faces));
+}
+
+}  // namespace
+
+void add_refine(CLI::App& program) {
+  const auto command = std::make_shared<RefineCommand>();
+  CLI::App& app = *program.add_subcommand("refine", "Refine a mesh, or convert it");
+  add_output_option(app, command->output, "Mesh to write: .obj, .off, .ply, .stl or .vtu");
+  add_mesh_options(app, command->mesh);
+  add_scheme_options(app, command->scheme);
+  app.add_option("--levels", command->levels, "How many times; 0 only converts")
+      ->required()
+      ->option_text("N (required)")
+      ->group(work_group);
+  app.add_flag("--limit", command->limit, "Move the vertices to their places on the limit surface")
+      ->group(work_group);
+  add_run_options(app, command->run);
+  app.footer(
+      "Creases, corners, holes, groups and parts are carried to the finer mesh; .obj keeps "
+      "them.\n\n"
+      "  limes refine cube.obj -o fine.obj --scheme catmull-clark --levels 3\n"
+      "  limes refine rook.obj -o rook.vtu --scheme catmull-clark --levels 2 --limit");
+  app.final_callback([command] { (*command)(); });
+}
+
+}  // namespace limes::app

@@ -1,0 +1,81 @@
+#include "files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "limes/core/error.h"
+#include "limes/core/text.h"
+#include "limes/io/io.h"
+#include "limes/mesh/defects.h"
+#include "limes/mesh/repair.h"
+#include "terminal.h"
+
+namespace limes::app {
+
+namespace fs = std::filesystem;
+
+Mesh load_mesh(const MeshOptions& options) {
+  const Progress progress(fmt::format("reading {}", options.file.string()));
+  MeshFile file = read_mesh(options.file);
+  for (const std::string& sentence : file.remarks)
+    remark(sentence);
+  if (!options.repair) return std::move(file.mesh);
+  RepairResult repaired = repair(file.mesh);
+  for (const std::string& sentence : repaired.done)
+    remark(fmt::format("{}: repaired: {}", options.file.string(), sentence));
+  if (repaired.done.empty()) remark(fmt::format("{}: nothing to repair", options.file.string()));
+  return std::move(repaired.mesh);
+}
+
+Mesh load_refinable_mesh(const MeshOptions& options) {
+  Mesh mesh = load_mesh(options);
+  require_refinable(mesh, options.file.string());
+  return mesh;
+}
+
+void save_mesh(const fs::path& file, const Mesh& mesh) {
+  const Progress progress(fmt::format("writing {}", file.string()));
+  for (const std::string& sentence : write_mesh(file, mesh))
+    remark(sentence);
+}
+
+void check_output(const fs::path& file, const std::vector<std::string>& extensions) {
+  const std::string extension = to_lower(file.extension().string());
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+    throw UsageError("--output: {} does not end in {}", quote(file.string()),
+                     fmt::join(extensions, ", "));
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!fs::is_directory(folder, ignored))
+    throw OutputError("{}: cannot be written: there is no folder {}", file.string(),
+                      quote(folder.string()));
+}
+
+void check_mesh_output(const fs::path& file) {
+  std::vector<std::string> extensions;
+  for (const Format& format : all_formats)
+    if (format.write) extensions.emplace_back(format.extension);
+  check_output(file, extensions);
+}
+
+std::string read_text_file(const fs::path& path) {
+  const std::string name = path.string();
+  if (std::error_code ignored; fs::is_directory(path, ignored))
+    throw InputError("{}: is a directory; a file is right", name);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw InputError("{}: {}", name, std::generic_category().message(errno));
+  std::string bytes;
+  std::string chunk(1 << 16, '\0');
+  while (const std::size_t size = std::fread(chunk.data(), 1, chunk.size(), file.get()))
+    bytes.append(chunk, 0, size);
+  if (std::ferror(file.get())) throw InputError("{}: cannot be read", name);
+  return bytes;
+}
+
+}  // namespace limes::app

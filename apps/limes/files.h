@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "options.h"
+
+namespace limes::app {
+
+/// Reads a mesh, mends it if asked to, and says on standard error what was left out or changed.
+[[nodiscard]] Mesh load_mesh(const MeshOptions& options);
+/// The same for work that needs a mesh without defects.
+[[nodiscard]] Mesh load_refinable_mesh(const MeshOptions& options);
+
+/// Writes a mesh and says on standard error what the format could not keep.
+void save_mesh(const std::filesystem::path& file, const Mesh& mesh);
+
+/// Fails now rather than after the work: wrong extension, no such folder.
+/// @param extensions  those that are right, each with its dot
+/// @throws UsageError, OutputError
+void check_output(const std::filesystem::path& file, const std::vector<std::string>& extensions);
+/// The same for a file that holds a mesh.
+void check_mesh_output(const std::filesystem::path& file);
+
+/// All bytes of a file. @throws InputError
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
+
+}  // namespace limes::app

@@ -1,0 +1,93 @@
+#include "memory.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+
+#include "limes/core/error.h"
+#include "limes/core/text.h"
+
+namespace limes::app {
+namespace {
+
+constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+
+/// The only number in a file of the control group; "max" and a missing file are unknown.
+std::int64_t read_number(const char* path) {
+  std::ifstream file(path);
+  std::int64_t value = 0;
+  return file >> value ? value : unknown;
+}
+
+std::int64_t free_in_machine() {
+  std::ifstream file("/proc/meminfo");
+  std::string key, rest;
+  std::int64_t kilobytes = 0;
+  while (file >> key >> kilobytes && std::getline(file, rest))
+    if (key == "MemAvailable:") return kilobytes * 1024;
+  return unknown;
+}
+
+std::int64_t free_in_control_group() {
+  const std::int64_t limit = read_number("/sys/fs/cgroup/memory.max");
+  const std::int64_t used = read_number("/sys/fs/cgroup/memory.current");
+  if (limit == unknown || used == unknown) return unknown;
+  return std::max<std::int64_t>(limit - used, 0);
+}
+
+}  // namespace
+
+std::int64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return usage.ru_maxrss;
+#else
+  return std::int64_t{usage.ru_maxrss} * 1024;
+#endif
+}
+
+std::int64_t free_memory() {
+  return std::min(free_in_machine(), free_in_control_group());
+}
+
+std::int64_t parse_size(std::string_view text) {
+  constexpr std::string_view letters = "KMGT";
+  std::string_view number = text;
+  if (number.ends_with("iB"))
+    number.remove_suffix(2);
+  else if (number.ends_with('B'))
+    number.remove_suffix(1);
+  double factor = 1;
+  if (!number.empty() && letters.find(number.back()) != std::string_view::npos) {
+    for (std::size_t i = 0; i <= letters.find(number.back()); ++i)
+      factor *= 1024;
+    number.remove_suffix(1);
+  }
+  const auto value = parse_real(number);
+  if (!value || *value <= 0 || *value * factor > 1e18)
+    throw UsageError("--memory-limit: {} is no size; 500M and 8G are", quote(text));
+  return static_cast<std::int64_t>(*value * factor);
+}
+
+std::string format_size(double bytes) {
+  constexpr std::array units{"bytes", "KiB", "MiB", "GiB", "TiB"};
+  std::size_t unit = 0;
+  for (; bytes >= 1024 && unit + 1 < units.size(); ++unit)
+    bytes /= 1024;
+  return fmt::format("{:.{}f} {}", bytes, unit == 0 || bytes >= 100 ? 0 : 1, units[unit]);
+}
+
+void limit_memory(std::int64_t bytes) {
+  // Data, not address space: threads reserve far more addresses than they use.
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(static_cast<rlim_t>(bytes), limit.rlim_max);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+}  // namespace limes::app

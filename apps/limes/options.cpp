@@ -1,0 +1,112 @@
+#include "options.h"
+
+#include <limits>
+
+#include "limes/core/error.h"
+#include "limes/core/text.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes::app {
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+  command.add_option("--threads", options.threads, "Number of threads [all cores]")
+      ->option_text("T")
+      ->group(run_group);
+  command
+      .add_option("--memory-limit", options.memory_limit,
+                  "Refuse work that needs more memory, as 500M or 8G\n[what the machine has free]")
+      ->option_text("SIZE")
+      ->group(run_group);
+  command
+      .add_flag("--json", options.json, "Print one JSON object on standard output, nothing else")
+      ->group(run_group);
+}
+
+void add_mesh_options(CLI::App& command, MeshOptions& options) {
+  command.add_option("MESH", options.file, "Mesh to read: .obj, .off, .ply or .stl")
+      ->required()
+      ->option_text(" ");
+  command
+      .add_flag("--repair", options.repair,
+                "Mend what can be mended before the work and say what was done")
+      ->group(files_group);
+}
+
+void add_output_option(CLI::App& command, std::filesystem::path& file, const std::string& help) {
+  command.add_option("-o,--output", file, help)
+      ->required()
+      ->option_text("FILE (required)")
+      ->group(files_group);
+}
+
+void add_scheme_options(CLI::App& command, SchemeOptions& options) {
+  command.add_option("--scheme", options.scheme, "Subdivision scheme, see 'limes schemes'")
+      ->required()
+      ->option_text("NAME (required)")
+      ->group(scheme_group);
+  command
+      .add_option("--boundary", options.boundary,
+                  "catmull-clark: what happens at the boundary [the file's tag, else edges]\n"
+                  "  none               boundary faces shape the others and are dropped\n"
+                  "  edges              the boundary is a smooth curve\n"
+                  "  edges-and-corners  and vertices with one face stay where they are")
+      ->option_text("RULE")
+      ->group(scheme_group);
+  // Hidden as long as no scheme has them; known, so that the message can say so.
+  command.add_option("--tension", options.tension)->group("");
+  command.add_option("--corners", options.corners)->group("");
+  command.add_option("--ring-pull", options.ring_pull)->group("");
+}
+
+bool has_boundary_rules(const Scheme& scheme) {
+  return scheme.reach > 0;
+}
+
+BoundaryRule SchemeChoice::boundary_for(const Mesh& mesh) const {
+  if (!has_boundary_rules(*scheme)) return BoundaryRule::edges;
+  if (boundary) return *boundary;
+  return mesh.tags.boundary.value_or(BoundaryRule::edges);
+}
+
+namespace {
+
+void refuse_option(const Scheme& scheme, const std::string& value, const char* option) {
+  if (!value.empty()) throw UsageError("{}: {} has no such option", option, scheme.name);
+}
+
+BoundaryRule parse_boundary(const std::string& name) {
+  if (name == "none") return BoundaryRule::none;
+  if (name == "edges") return BoundaryRule::edges;
+  if (name == "edges-and-corners") return BoundaryRule::edges_and_corners;
+  throw UsageError("--boundary: there is no rule {}; known are none, edges, edges-and-corners",
+                   quote(name));
+}
+
+}  // namespace
+
+SchemeChoice choose_scheme(const SchemeOptions& options) {
+  SchemeChoice choice{&find_scheme(options.scheme), {}};
+  const Scheme& scheme = *choice.scheme;
+  if (!has_boundary_rules(scheme)) refuse_option(scheme, options.boundary, "--boundary");
+  refuse_option(scheme, options.tension, "--tension");
+  refuse_option(scheme, options.corners, "--corners");
+  refuse_option(scheme, options.ring_pull, "--ring-pull");
+  if (!options.boundary.empty()) choice.boundary = parse_boundary(options.boundary);
+  return choice;
+}
+
+int parse_whole_number(const char* option, const std::string& text, int least) {
+  const auto number = parse_integer(text);
+  if (!number || *number < least || *number > std::numeric_limits<int>::max())
+    throw UsageError("{}: {} is no whole number from {} on", option, quote(text), least);
+  return static_cast<int>(*number);
+}
+
+double parse_positive(const char* option, const std::string& text) {
+  const auto number = parse_real(text);
+  if (!number || *number <= 0)
+    throw UsageError("{}: {} is no number greater than 0", option, quote(text));
+  return *number;
+}
+
+}  // namespace limes::app

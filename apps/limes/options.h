@@ -1,0 +1,69 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "limes/mesh/mesh.h"
+#include "limes/subdiv/scheme.h"
+
+namespace limes::app {
+
+// The options that several commands share. add_*() declares them on a command; their values are
+// there when the command's callback runs.
+
+/// Titles of the groups in the help.
+constexpr const char* files_group = "Files";
+constexpr const char* scheme_group = "Scheme";
+constexpr const char* work_group = "What to do";
+constexpr const char* run_group = "Running";
+
+/// How a command runs, whatever it does.
+struct RunOptions {
+  std::string threads;       ///< number, empty: all cores
+  std::string memory_limit;  ///< size, empty: what the machine has free
+  bool json = false;
+};
+void add_run_options(CLI::App& command, RunOptions& options);
+
+/// The mesh a command works on.
+struct MeshOptions {
+  std::filesystem::path file;
+  bool repair = false;
+};
+void add_mesh_options(CLI::App& command, MeshOptions& options);
+void add_output_option(CLI::App& command, std::filesystem::path& file, const std::string& help);
+
+/// A scheme with its own options, as typed; empty: not given.
+struct SchemeOptions {
+  std::string scheme;
+  std::string boundary;
+  std::string tension, corners, ring_pull;
+};
+void add_scheme_options(CLI::App& command, SchemeOptions& options);
+
+/// A scheme and the boundary rule it is used with.
+struct SchemeChoice {
+  const Scheme* scheme;
+  std::optional<BoundaryRule> boundary;  ///< the user's; the file's comes second
+
+  /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
+  [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;
+};
+
+/// @throws UsageError for unknown names and for options that the scheme does not have
+[[nodiscard]] SchemeChoice choose_scheme(const SchemeOptions& options);
+
+/// Whether the scheme has boundary rules: its limit depends on more than the face itself.
+[[nodiscard]] bool has_boundary_rules(const Scheme& scheme);
+
+/// A decimal whole number, at least `least`.
+/// @throws UsageError that names the option
+[[nodiscard]] int parse_whole_number(const char* option, const std::string& text, int least);
+/// A number greater than 0. @throws UsageError that names the option
+[[nodiscard]] double parse_positive(const char* option, const std::string& text);
+
+}  // namespace limes::app

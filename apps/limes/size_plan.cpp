@@ -1,0 +1,69 @@
+#include "size_plan.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+#include "limes/core/error.h"
+#include "limes/mesh/adjacency.h"
+#include "memory.h"
+
+namespace limes::app {
+
+MeshSize size_of(const Topology& topology) {
+  const auto num_edges = static_cast<std::int64_t>(group_by_edge(topology).offsets.size()) - 1;
+  return {topology.num_vertices(), num_edges, topology.num_faces(), topology.num_corners()};
+}
+
+MeshSize refined_size(const MeshSize& s, const Scheme& scheme) {
+  LIMES_ASSERT(scheme.split == Split::quadrisect);
+  return {s.vertices + s.edges + s.faces, 2 * s.edges + s.corners, s.corners, 4 * s.corners};
+}
+
+namespace {
+
+// Bytes at the peak per corner and vertex of the finest mesh: measured on a refined cube with 0.4
+// and 1.6 million faces (193 bytes per face, VTU 243, limit points 274), a tenth added.
+constexpr double bytes_per_corner = 30;
+constexpr double bytes_per_vertex = 95;
+constexpr double vtu_bytes_per_corner = 14;
+constexpr double limit_bytes_per_corner = 24;
+constexpr double bytes_of_program = 8e6;
+
+double bytes_needed(const MeshSize& size, const RefinementExtras& extras) {
+  const double more = extras.limit_points ? limit_bytes_per_corner
+                      : extras.vtu        ? vtu_bytes_per_corner
+                                          : 0;
+  return bytes_of_program + static_cast<double>(size.corners) * (bytes_per_corner + more) +
+         static_cast<double>(size.vertices) * bytes_per_vertex;
+}
+
+/// Why a mesh of this size cannot be made; empty if it can.
+std::string obstacle(const MeshSize& size, const RefinementExtras& extras,
+                     std::int64_t memory_limit) {
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (size.corners > most || size.vertices > most)
+    return fmt::format("at most {} faces can be numbered", most / 4);
+  const double bytes = bytes_needed(size, extras);
+  if (bytes <= static_cast<double>(memory_limit)) return {};
+  return fmt::format("that takes about {} of memory, {} may be used", format_size(bytes),
+                     format_size(static_cast<double>(memory_limit)));
+}
+
+}  // namespace
+
+void require_feasible(const Topology& topology, const Scheme& scheme, int levels,
+                      const RefinementExtras& extras, std::int64_t memory_limit,
+                      std::string_view file) {
+  MeshSize size = size_of(topology);
+  for (int level = 1; level <= levels; ++level) {
+    size = refined_size(size, scheme);
+    const std::string reason = obstacle(size, extras, memory_limit);
+    if (reason.empty()) continue;
+    throw InputError("{}: level {} would have {} faces: {}; --levels {} is possible", file, level,
+                     size.faces, reason, level - 1);
+  }
+}
+
+}  // namespace limes::app

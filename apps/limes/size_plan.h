@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "limes/mesh/topology.h"
+#include "limes/subdiv/scheme.h"
+
+namespace limes::app {
+
+/// Counts of a mesh; 64 bits, because they are asked before the mesh is made.
+struct MeshSize {
+  std::int64_t vertices, edges, faces, corners;
+};
+[[nodiscard]] MeshSize size_of(const Topology& topology);
+/// After one step of a scheme.
+[[nodiscard]] MeshSize refined_size(const MeshSize& size, const Scheme& scheme);
+
+/// What a refinement does besides the steps themselves.
+struct RefinementExtras {
+  bool limit_points = false;
+  bool vtu = false;  ///< the writer holds all arrays
+};
+
+/// Refuses a refinement before any work is done: more corners than can be numbered, or more memory
+/// than there is.
+/// @throws InputError saying how large the mesh would be and how many levels are possible
+void require_feasible(const Topology& topology, const Scheme& scheme, int levels,
+                      const RefinementExtras& extras, std::int64_t memory_limit,
+                      std::string_view file);
+
+}  // namespace limes::app
