@@ -1,0 +1,219 @@
+#include "limes/report/figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limes/core/error.h"
+#include "limes/report/ticks.h"
+
+namespace limes {
+namespace {
+
+constexpr double margin = 16;
+constexpr TextStyle title_style{.size = 17, .bold = true};
+constexpr TextStyle label_style{.size = 13};
+constexpr TextStyle caption_style{.size = 13, .colour = palette::muted};
+constexpr double line_height = 1.45;
+
+constexpr double bar_width = 16;
+constexpr double bar_gap = 24;
+constexpr double tip_height = 12;
+
+/// Where the parts of a figure go.
+class FigureLayout {
+ public:
+  explicit FigureLayout(const Figure& figure) : figure_(figure) {
+    LIMES_ASSERT(!figure.image.empty() && figure.density > 0);
+    image_size_ = Vec2(figure.image.width(), figure.image.height()) / figure.density;
+    lay_out_columns();
+    double y = margin;
+    if (!figure.title.empty()) {
+      title_lines_ = wrap_text(figure.title, title_style.size, content_width());
+      title_y_ = y + title_style.size;
+      y += static_cast<double>(title_lines_.size()) * title_style.size * line_height + 6;
+    }
+    image_corner_ = {margin, y};
+    y += std::max(image_size_[1], figure.bar ? bar_heading_height() + 120 : 0.0);
+    lay_out_legend(y);
+    if (!figure.caption.empty()) {
+      caption_lines_ = wrap_text(figure.caption, caption_style.size, content_width());
+      caption_y_ = y + 10 + caption_style.size;
+      y += 10 + static_cast<double>(caption_lines_.size()) * caption_style.size * line_height;
+    }
+    height_ = std::ceil(y + margin);
+  }
+
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+
+  void draw(Canvas& canvas) const {
+    draw_lines(canvas, title_lines_, title_y_, title_style);
+    canvas.image(image_corner_, image_size_, figure_.image);
+    if (figure_.bar) draw_bar(canvas, *figure_.bar);
+    for (std::size_t i = 0; i < figure_.legend.size(); ++i)
+      draw_legend_entry(canvas, figure_.legend[i], legend_at_[i]);
+    draw_lines(canvas, caption_lines_, caption_y_, caption_style);
+  }
+
+ private:
+  [[nodiscard]] double content_width() const { return width_ - 2 * margin; }
+  [[nodiscard]] double bar_heading_height() const {
+    return static_cast<double>(heading_.size()) * label_style.size * line_height + 8;
+  }
+
+  void lay_out_columns() {
+    width_ = image_size_[0] + 2 * margin;
+    if (figure_.bar) {
+      const ColourBar& bar = *figure_.bar;
+      ticks_ = linear_ticks(bar.scale.low, bar.scale.high, 9);
+      heading_ = {bar.quantity};
+      if (!bar.unit.empty()) heading_.push_back("in " + bar.unit);
+      if (ticks_.exponent != 0) heading_.push_back(ticks_.factor());
+      double column = 0;
+      for (const std::string& label : ticks_.labels)
+        column = std::max(column, bar_width + 10 + text_width(label, label_style.size));
+      for (const std::string& line : heading_)
+        column = std::max(column, text_width(line, label_style.size));
+      width_ += bar_gap + 1.12 * column;  // a viewer's font may be wider than ours
+    }
+    width_ = std::ceil(std::max(width_, 300.0));
+  }
+
+  /// Entries side by side, next line when full.
+  void lay_out_legend(double& y) {
+    if (figure_.legend.empty()) return;
+    constexpr double swatch = 26;
+    constexpr double gap = 22;
+    const double row = label_style.size * line_height + 4;
+    double x = margin;
+    y += 12;
+    for (const LegendEntry& entry : figure_.legend) {
+      const double width = swatch + 1.12 * text_width(entry.label, label_style.size);
+      if (x > margin && x + width > width_ - margin) {
+        x = margin;
+        y += row;
+      }
+      legend_at_.emplace_back(x, y);
+      x += width + gap;
+    }
+    y += row;
+  }
+
+  void draw_lines(Canvas& canvas, const std::vector<std::string>& lines, double y,
+                  const TextStyle& style) const {
+    for (const std::string& line : lines) {
+      canvas.text({margin, y}, line, style);
+      y += style.size * line_height;
+    }
+  }
+
+  void draw_bar(Canvas& canvas, const ColourBar& bar) const;
+  void draw_legend_entry(Canvas& canvas, const LegendEntry& entry, const Vec2& at) const;
+
+  const Figure& figure_;
+  double width_ = 0, height_ = 0;
+  std::vector<std::string> title_lines_, caption_lines_, heading_;
+  double title_y_ = 0, caption_y_ = 0;
+  Vec2 image_corner_, image_size_;
+  Ticks ticks_;
+  std::vector<Vec2> legend_at_;
+};
+
+/// The colours from high (top) to low, one row per pixel at twice the figure's resolution.
+Image bar_image(const ColourScale& scale, double height) {
+  const int rows = std::max(2, static_cast<int>(std::lround(2 * height)));
+  Image image(2 * static_cast<int>(bar_width), rows);
+  for (int y = 0; y < rows; ++y) {
+    const Colour colour = scale.at_normalised(1 - (y + 0.5) / rows);
+    for (int x = 0; x < image.width(); ++x)
+      image.blend(x, y, colour, 1);
+  }
+  return image;
+}
+
+void FigureLayout::draw_bar(Canvas& canvas, const ColourBar& bar) const {
+  const double left = image_corner_[0] + image_size_[0] + bar_gap;
+  double top = image_corner_[1];
+  for (const std::string& line : heading_) {
+    canvas.text({left, top + label_style.size}, line, label_style);
+    top += label_style.size * line_height;
+  }
+  top += 8 + (bar.tip_above ? tip_height : 4);
+  const double space = image_corner_[1] + image_size_[1] - top - (bar.tip_below ? tip_height : 4);
+  const double height = std::clamp(space, 90.0, 420.0);
+  const Stroke outline{palette::muted, 0.8};
+  canvas.image({left, top}, {bar_width, height}, bar_image(bar.scale, height));
+  const auto tip = [&](double y, double direction, double end) {
+    const std::array points{Vec2(left, y), Vec2(left + bar_width, y),
+                            Vec2(left + bar_width / 2, y + direction * tip_height)};
+    canvas.polygon(points, {bar.scale.at_normalised(end), outline});
+  };
+  if (bar.tip_above) tip(top, -1, 1);
+  if (bar.tip_below) tip(top + height, 1, 0);
+  canvas.rectangle({left, top}, {bar_width, height}, {{}, outline});
+  for (std::size_t i = 0; i < ticks_.values.size(); ++i) {
+    const double y = top + height * (1 - bar.scale.normalised(ticks_.values[i]));
+    canvas.line({left + bar_width, y}, {left + bar_width + 4, y}, outline);
+    canvas.text({left + bar_width + 8, y + 0.36 * label_style.size}, ticks_.labels[i], label_style);
+  }
+}
+
+void FigureLayout::draw_legend_entry(Canvas& canvas, const LegendEntry& entry,
+                                     const Vec2& at) const {
+  constexpr double width = 18;
+  constexpr double height = 13;
+  const Vec2 middle = at + Vec2(width / 2, height / 2);
+  const Stroke edge{palette::ink, 1};
+  switch (entry.kind) {
+    case LegendEntry::Kind::area:
+      canvas.rectangle(at, {width, height}, {entry.colour, edge});
+      break;
+    case LegendEntry::Kind::line:
+      canvas.line(middle - Vec2(width / 2, 0), middle + Vec2(width / 2, 0),
+                  {entry.colour, entry.width});
+      break;
+    case LegendEntry::Kind::marker:
+      draw_marker(canvas, middle, entry.shape, 10, {entry.colour, Stroke{palette::ink, 1.4}});
+      break;
+  }
+  canvas.text({at[0] + width + 8, middle[1] + 0.36 * label_style.size}, entry.label, label_style);
+}
+
+}  // namespace
+
+Drawing drawing(const Figure& figure) {
+  const FigureLayout size(figure);
+  const std::string description = figure.title.empty() ? figure.caption : figure.title;
+  return {size.width(), size.height(), description,
+          [figure](Canvas& canvas) { FigureLayout(figure).draw(canvas); }};
+}
+
+void draw_marker(Canvas& canvas, const Vec2& centre, MarkerShape shape, double size,
+                 const Paint& paint) {
+  const double r = size / 2;
+  const auto corners = [&](std::initializer_list<Vec2> points) {
+    std::vector<Vec2> moved;
+    for (const Vec2& p : points)
+      moved.emplace_back(centre + r * p);
+    canvas.polygon(moved, paint);
+  };
+  switch (shape) {
+    case MarkerShape::disc:
+      canvas.circle(centre, r, paint);
+      break;
+    case MarkerShape::ring:
+      canvas.circle(centre, r, {{}, paint.stroke});
+      break;
+    case MarkerShape::square:
+      corners({{-0.886, -0.886}, {0.886, -0.886}, {0.886, 0.886}, {-0.886, 0.886}});
+      break;
+    case MarkerShape::diamond:
+      corners({{0, -1.2}, {1.2, 0}, {0, 1.2}, {-1.2, 0}});
+      break;
+    case MarkerShape::triangle:
+      corners({{0, -1.24}, {1.074, 0.62}, {-1.074, 0.62}});
+      break;
+  }
+}
+
+}  // namespace limes
