@@ -266,8 +266,10 @@ std::string describe_value(const Key& key) {
   switch (key.type) {
     case ValueType::text:
       return "text";
-    case ValueType::name:
-      return fmt::format("one of {}", fmt::join(split_words(key.choices), ", "));
+    case ValueType::name: {
+      const auto choices = split_words(key.choices);
+      return fmt::format("{}{}", choices.size() > 1 ? "one of " : "", fmt::join(choices, ", "));
+    }
     case ValueType::names:
       return fmt::format("a list of {}", fmt::join(split_words(key.choices), ", "));
     case ValueType::integer:

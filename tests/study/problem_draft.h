@@ -1,0 +1,184 @@
+#pragma once
+
+// What the tests of problem files share.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "limes/core/error.h"
+#include "limes/study/problem.h"
+#include "limes/study/problem_keys.h"
+
+namespace limes {
+
+// clang-format off
+/// A problem that has every key there is.
+inline constexpr std::string_view full = R"(title = "Everything"
+
+[units]
+length = "mm"
+force = "N"
+
+[mesh]
+file = "plate.obj"
+scheme = "linear"
+levels = 2
+placement = "scheme"
+
+[model]
+kind = "plane-strain"
+boundary = "phantom"
+kinks = false
+quadrature_points = 4
+quadrature_depth = 6
+
+[[material]]
+young = 70e3
+poisson = 0.33
+
+[[material]]
+where = "group:stiff"
+young = 210000
+poisson = 0
+thickness = 2.5
+
+[periodic]
+gradient = [[1, 0.05], [0.05, 1.0]]
+
+[[support]]
+where = "x == 0"
+fix = ["ux", "uz"]
+
+[[support]]
+where = "vertex:3"
+fix = ["uy"]
+
+[[load]]
+where = "all"
+force_per_area = [0, "-9.81 * y", 1.5]
+
+[[load]]
+where = "boundary"
+force_per_length = ["x", 2]
+
+[[load]]
+where = "vertex:0"
+force = [1, 2]
+
+[[load]]
+where = "part:left"
+force_per_volume = [0, 0, -1]
+
+[[load]]
+where = "not x == 0"
+pressure = "2 * z"
+
+[[probe]]
+name = "corner"
+at = [1, 2.5]
+
+[[probe]]
+name = "top"
+at = [1, 2, -3]
+)";
+// clang-format on
+
+inline Problem parse(std::string_view text, const std::vector<std::string>& overrides = {}) {
+  return parse_problem(text, "p.toml", overrides);
+}
+
+/// The message of the error of type Expected; fails the test when there is none.
+template <class Expected>
+std::string message_of(std::string_view text, const std::vector<std::string>& overrides = {}) {
+  try {
+    (void)parse(text, overrides);
+  } catch (const Expected& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return message;
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << "another kind of error: " << error.what();
+    return {};
+  }
+  ADD_FAILURE() << "accepted:\n" << text;
+  return {};
+}
+
+inline void expect_message(const std::string& message, std::string_view beginning,
+                           const std::vector<std::string>& parts) {
+  EXPECT_EQ(message.substr(0, beginning.size()), beginning);
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks " << part;
+}
+
+/// A small valid problem as lines of tables, to change one of them.
+class Draft {
+ public:
+  using Lines = std::vector<std::pair<std::string, std::string>>;  // key, value
+
+  Draft() {
+    set("mesh", "file", "\"m.obj\"");
+    set("model", "kind", "\"plane-stress\"");
+    set("material", "young", "1");
+    set("material", "poisson", "0.25");
+    set("support", "where", "\"x == 0\"");
+    set("support", "fix", "[\"ux\", \"uy\"]");
+  }
+
+  void set(const std::string& table, const std::string& key, const std::string& value) {
+    for (auto& [k, v] : tables_[table])
+      if (k == key) {
+        v = value;
+        return;
+      }
+    tables_[table].emplace_back(key, value);
+  }
+  void erase(const std::string& table, const std::string& key) {
+    std::erase_if(tables_[table], [&](const auto& line) { return line.first == key; });
+  }
+  void erase(const std::string& table) { tables_.erase(table); }
+
+  /// What a table needs besides `key`.
+  void complete(const std::string& table, const std::string& key) {
+    if (table == "load") set(table, "where", "\"all\"");
+    if (table == "load" && find_key(table, key)->need != Need::one_of)
+      set(table, "force", "[0, 0]");
+    if (table == "probe") set(table, "name", "\"a\""), set(table, "at", "[0, 0]");
+    if (table == "periodic") set(table, "gradient", "[[1, 0], [0, 1]]");
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::string result;
+    for (const auto& [table, lines] : tables_) {
+      if (!table.empty()) result += written(*find_table(table)) + "\n";
+      for (const auto& [key, value] : lines)
+        result += key + " = " + value + "\n";
+    }
+    return result;
+  }
+  /// Line of a key, or of the head of the table when the key is empty.
+  [[nodiscard]] int line(const std::string& table, const std::string& key) const {
+    int number = 0;
+    for (const auto& [name, lines] : tables_) {
+      if (!name.empty()) ++number;
+      if (name == table && key.empty()) return number;
+      for (const auto& [k, v] : lines) {
+        ++number;
+        if (name == table && k == key) return number;
+      }
+    }
+    return -1;
+  }
+
+ private:
+  std::map<std::string, Lines> tables_;
+};
+
+}  // namespace limes
