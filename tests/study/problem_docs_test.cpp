@@ -16,6 +16,8 @@
 namespace limes {
 namespace {
 
+using namespace problem_file;
+
 std::string manual() {
   std::ifstream file(LIMES_TEST_DATA_DIR "/../../docs/problem-file.md");
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -18,6 +18,8 @@
 
 namespace limes {
 
+using namespace problem_file;
+
 // clang-format off
 /// A problem that has every key there is.
 inline constexpr std::string_view full = R"(title = "Everything"

@@ -65,12 +65,12 @@ TEST(ProblemKeys, EveryMisspeltKeyIsToldTheRightOne) {
     Draft draft;
     const std::string table(key.table), name(key.name);
     draft.complete(table, name);
-    std::string misspelt = name;
-    misspelt.insert(misspelt.size() / 2, "q");
+    const std::size_t half = name.size() / 2;
+    const std::string misspelt = fmt::format("{}q{}", name.substr(0, half), name.substr(half));
     draft.set(table, misspelt, "1");
     expect_message(message_of<InputError>(draft.text()),
                    fmt::format("p.toml:{}: ", draft.line(table, misspelt)),
-                   {"has no key '" + misspelt + "'; ", "'" + name + "'"});
+                   {fmt::format("has no key '{}'; ", misspelt), fmt::format("'{}'", name)});
   }
 }
 
@@ -102,7 +102,7 @@ TEST(ProblemKeys, EveryMisspeltTableIsToldTheRightOne) {
   for (const Table& table : problem_tables()) {
     if (table.need == Need::later) continue;
     const std::string misspelt = std::string(table.name) + "x";
-    const std::string draft = Draft().text() + "[" + misspelt + "]\n";
+    const std::string draft = Draft().text() + fmt::format("[{}]\n", misspelt);
     const auto lines = std::count(draft.begin(), draft.end(), '\n');
     expect_message(message_of<InputError>(draft), fmt::format("p.toml:{}: ", lines),
                    {"a problem has no key '" + misspelt + "'; did you mean '" +
@@ -135,7 +135,7 @@ TEST(ProblemKeys, WhatComesLaterSaysSo) {
       Draft draft;
       draft.complete(table, name);
       const std::string text = fmt::format("\"{}\"", choice);
-      draft.set(table, name, key.type == ValueType::names ? "[" + text + "]" : text);
+      draft.set(table, name, key.type == ValueType::names ? fmt::format("[{}]", text) : text);
       expect_message(message_of<InputError>(draft.text()),
                      fmt::format("p.toml:{}: {} {} '{}' is not available yet; available are {}",
                                  draft.line(table, name), written(*find_table(table)), name, choice,

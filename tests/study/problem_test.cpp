@@ -259,7 +259,12 @@ TEST(Problem, TomlErrorsHaveTheirLine) {
                                                      {"title = 'a'\nb = '\xff'\n", 2},
                                                      {"title = \"a\\qb\"\n", 1},
                                                      {"\"a\\nb\" = 1\n\"a\\nb\" = 1\n", 2},
-                                                     {"= 3\n", 1}};
+                                                     {"= 3\n", 1},
+                                                     {"[?x]\n", 1},
+                                                     {"\n[mesh]\n[\xc3\xa4]\nfile = 3\n", 3},
+                                                     {"\n[[?", 2},
+                                                     {"a = 1\n\xc3\xa4 = 1\n", 2},
+                                                     {"a = { ? = 1 }\n", 1}};
   for (const auto& [text, line] : all)
     expect_message(message_of<InputError>(text), fmt::format("p.toml:{}: ", line), {});
 }

@@ -17,6 +17,7 @@ namespace limes {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace problem_file;
 
 constexpr std::uintmax_t largest_file = 16U << 20U;
 
@@ -236,13 +237,41 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-toml::table parse_document(std::string_view text, const fs::path& file) {
+/// Number of the first line that is no UTF-8, 0 if all are.
+std::size_t first_broken_line(std::string_view text) {
   for (std::size_t begin = 0, line = 1; begin < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (!is_valid_utf8(text.substr(begin, end - begin)))
-      throw InputError("{}:{}: no valid UTF-8; TOML files are UTF-8", file.string(), line);
+    if (!is_valid_utf8(text.substr(begin, end - begin))) return line;
     begin = end + 1;
   }
+  return 0;
+}
+
+bool makes_toml_assert(std::string_view text) {
+  try {
+    (void)toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const TomlAssertion&) {
+    return true;
+  }
+  return false;
+}
+
+/// Number of the line that makes toml++ assert: the last one of the shortest beginning that does.
+std::size_t asserting_line(std::string_view text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t end = 0; (end = text.find('\n', end)) != std::string_view::npos;)
+    ends.push_back(++end);
+  const auto first = std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) {
+    return !makes_toml_assert(text.substr(0, end));
+  });
+  return static_cast<std::size_t>(first - ends.begin()) + 1;
+}
+
+toml::table parse_document(std::string_view text, const fs::path& file) {
+  if (const std::size_t line = first_broken_line(text))
+    throw InputError("{}:{}: no valid UTF-8; TOML files are UTF-8", file.string(), line);
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -250,6 +279,9 @@ toml::table parse_document(std::string_view text, const fs::path& file) {
     std::replace_if(
         what.begin(), what.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
     throw InputError("{}:{}: {}", file.string(), error.source().begin.line, what);
+  } catch (const TomlAssertion&) {
+    throw InputError("{}:{}: no TOML: names consist of A-Z a-z 0-9 _ -, or stand in quotes",
+                     file.string(), asserting_line(text));
   }
 }
 

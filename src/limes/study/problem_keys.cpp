@@ -9,7 +9,7 @@
 #include "limes/core/text.h"
 #include "limes/subdiv/schemes.h"
 
-namespace limes {
+namespace limes::problem_file {
 namespace {
 
 constexpr std::array tables{
@@ -292,4 +292,4 @@ std::string describe_value(const Key& key) {
   return {};
 }
 
-}  // namespace limes
+}  // namespace limes::problem_file

@@ -6,10 +6,11 @@
 #include <string_view>
 #include <vector>
 
-namespace limes {
+namespace limes::problem_file {
 
 // Everything a problem file may say, as one table. Messages ("did you mean"), checks of type and
-// range, and the documentation are made from it.
+// range, and the documentation are made from it. A new key is a row here, a line in problem.cpp
+// that reads it, and a row in docs/problem-file.md.
 
 enum class ValueType {
   text,            ///< not empty
@@ -94,4 +95,4 @@ struct Table {
 /// The words of Key::choices.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view words);
 
-}  // namespace limes
+}  // namespace limes::problem_file

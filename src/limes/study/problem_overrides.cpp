@@ -11,7 +11,7 @@
 #include "limes/core/text.h"
 #include "limes/study/nearest.h"
 
-namespace limes {
+namespace limes::problem_file {
 namespace {
 
 std::string toml_string(std::string_view text) {
@@ -75,6 +75,8 @@ toml::table Override::parsed_value() const {
     if (table.size() == 1) return table;
   } catch (const toml::parse_error&) {
     // no TOML: a bare string
+  } catch (const TomlAssertion&) {
+    // the same
   }
   return toml::parse("value = " + toml_string(value_), label_);
 }
@@ -173,4 +175,4 @@ void apply_overrides(toml::table& document, std::span<const std::string> overrid
     Override(text).apply(document);
 }
 
-}  // namespace limes
+}  // namespace limes::problem_file

@@ -5,7 +5,7 @@
 
 #include "limes/study/problem_table.h"
 
-namespace limes {
+namespace limes::problem_file {
 
 /// Puts overrides "dotted.path=value" into a document as parsed. Paths are those of the schema, the
 /// entries of lists by their number from 0 ("load.0.pressure"); where there is one table, its
@@ -14,4 +14,4 @@ namespace limes {
 /// @throws UsageError for a path that does not exist
 void apply_overrides(toml::table& document, std::span<const std::string> overrides);
 
-}  // namespace limes
+}  // namespace limes::problem_file

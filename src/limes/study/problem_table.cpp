@@ -11,7 +11,7 @@
 #include "limes/study/nearest.h"
 #include "limes/study/selection.h"
 
-namespace limes {
+namespace limes::problem_file {
 namespace {
 
 /// A value as a message shows it.
@@ -246,4 +246,4 @@ void TableReader::read(std::string_view name, Mat2& value) const {
   }
 }
 
-}  // namespace limes
+}  // namespace limes::problem_file

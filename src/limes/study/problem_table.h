@@ -5,14 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
 #include "limes/study/problem_keys.h"
+#include "limes/study/toml.h"
 
-namespace limes {
+namespace limes::problem_file {
 
 /// Where a problem says something: "FILE:LINE", or an override as it was typed.
 struct Place {
@@ -71,4 +69,4 @@ class TableReader {
   std::string_view file_;
 };
 
-}  // namespace limes
+}  // namespace limes::problem_file
