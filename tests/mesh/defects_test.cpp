@@ -123,6 +123,15 @@ TEST(Defects, RepeatedCorner) {
             vertices({1}));
 }
 
+TEST(Defects, ASideFromAVertexToItselfHasNoDirection) {
+  const Mesh mesh = make_mesh(4, {{0, 0, 1, 2}, {1, 0, 0, 3}});
+  EXPECT_EQ(kinds_of(mesh), (Kinds{DefectKind::repeated_corner, DefectKind::repeated_corner}));
+  const Mesh thrice = make_mesh(7, {{0, 0, 1, 2}, {0, 0, 3, 4}, {0, 0, 5, 6}});
+  EXPECT_EQ(kinds_of(thrice),
+            (Kinds{DefectKind::repeated_corner, DefectKind::repeated_corner,
+                   DefectKind::repeated_corner, DefectKind::non_manifold_vertex}));
+}
+
 TEST(Defects, InteriorVertexOfValenceOneIsARepeatedCorner) {
   // vertex 3 hangs on one edge inside the face: the smooth vertex rule has no meaning there
   const Mesh mesh = make_mesh(4, {{0, 1, 2, 3, 2}});

@@ -95,6 +95,12 @@ TEST(Repair, SplitsAFaceThatMeetsItselfInAPoint) {
   EXPECT_EQ(corners_of(result.mesh, 0), (std::vector{0, 1, 2, 5, 3, 4}));
 }
 
+TEST(Repair, KeepsACornerThatIsGivenTwiceInARowTogether) {
+  const RepairResult result = repair(make_mesh(6, {{0, 0, 1, 2}, {3, 4, 0, 0}}));
+  EXPECT_EQ(corners_of(result.mesh, 0), (std::vector{0, 0, 1, 2}));
+  EXPECT_EQ(corners_of(result.mesh, 1), (std::vector{3, 4, 5, 5}));
+}
+
 TEST(Repair, RemovesUnusedVerticesAndTheirTags) {
   Mesh mesh = make_mesh(6, {{1, 3, 5}});
   mesh.tags.corners = {{VertexId(0), 1.0F}, {VertexId(5), 2.0F}};

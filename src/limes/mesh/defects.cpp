@@ -113,12 +113,12 @@ void TopologyCheck::check_duplicates() {
 void TopologyCheck::check_edges() {
   for (std::size_t g = 0; g + 1 < edges_.offsets.size(); ++g) {
     const int count = edges_.offsets[g + 1] - edges_.offsets[g];
-    if (count < 3) continue;
+    const HalfedgeId h = edges_.halfedges[static_cast<std::size_t>(edges_.offsets[g])];
+    const VertexId a = topology_.corner(h), b = topology_.corner(next_[h]);
+    if (count < 3 || a == b) continue;  // a == b: a corner twice in a row, reported as such
     std::vector<FaceId> faces;
     for (int k = edges_.offsets[g]; k < edges_.offsets[g + 1]; ++k)
       faces.push_back(face_of_[edges_.halfedges[static_cast<std::size_t>(k)]]);
-    const HalfedgeId h = edges_.halfedges[static_cast<std::size_t>(edges_.offsets[g])];
-    const VertexId a = topology_.corner(h), b = topology_.corner(next_[h]);
     std::string message = fmt::format("edge {}-{} has {} faces ({}); at most two can be joined",
                                       a.value, b.value, count, list_ids(faces));
     out_.add(DefectKind::non_manifold_edge, std::move(faces), {a, b}, std::move(message));

@@ -19,12 +19,16 @@ IdArray<HalfedgeId, HalfedgeId> next_halfedges(const Topology& topology) {
 
 namespace {
 
-/// The other halfedge of every edge with exactly two; invalid elsewhere.
+/// The other halfedge of every edge with exactly two; invalid elsewhere. Sides from a vertex to
+/// itself have no direction and join nothing.
 IdArray<HalfedgeId, HalfedgeId> find_partners(const Topology& topology, const EdgeGroups& edges) {
+  const auto next = next_halfedges(topology);
   IdArray<HalfedgeId, HalfedgeId> partner(static_cast<std::size_t>(topology.num_corners()));
   for (std::size_t g = 0; g + 1 < edges.offsets.size(); ++g) {
     if (edges.offsets[g + 1] - edges.offsets[g] != 2) continue;
     const auto first = static_cast<std::size_t>(edges.offsets[g]);
+    const HalfedgeId h = edges.halfedges[first];
+    if (topology.corner(h) == topology.corner(next[h])) continue;
     partner[edges.halfedges[first]] = edges.halfedges[first + 1];
     partner[edges.halfedges[first + 1]] = edges.halfedges[first];
   }
@@ -119,8 +123,13 @@ IdArray<HalfedgeId, HalfedgeId> corner_fans(const Topology& topology, const Edge
   DisjointSets sets(topology.num_corners());
   for (std::size_t g = 0; g + 1 < edges.offsets.size(); ++g) {
     const HalfedgeId first = edges.halfedges[static_cast<std::size_t>(edges.offsets[g])];
-    for (int k = edges.offsets[g] + 1; k < edges.offsets[g + 1]; ++k) {
+    const bool to_itself = topology.corner(first) == topology.corner(next[first]);
+    for (int k = edges.offsets[g]; k < edges.offsets[g + 1]; ++k) {
       const HalfedgeId h = edges.halfedges[static_cast<std::size_t>(k)];
+      if (to_itself) {
+        sets.join(h.value, next[h].value);
+        continue;
+      }
       const bool same_way = topology.corner(first) == topology.corner(h);
       sets.join(first.value, same_way ? h.value : next[h].value);
       sets.join(next[first].value, same_way ? next[h].value : h.value);

@@ -32,7 +32,7 @@ struct FacePieces {
 [[nodiscard]] FacePieces find_pieces(const Topology& topology, const EdgeGroups& edges);
 
 /// The fan of every corner, named by its first corner: corners at one vertex that hang together
-/// over edges. A vertex with more than one fan is a bow tie.
+/// over edges, or follow each other in a face. A vertex with more than one fan is a bow tie.
 [[nodiscard]] IdArray<HalfedgeId, HalfedgeId> corner_fans(const Topology& topology,
                                                           const EdgeGroups& edges);
 
