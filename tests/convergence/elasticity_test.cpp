@@ -13,7 +13,7 @@ using testing::RateTable;
 // A displacement whose second normal derivative vanishes on no boundary, its strain and its body
 // force; plane stress, E = 2, nu = 0.3. Loads are the strong form: body force and boundary traction.
 struct Exact {
-  Mat3 C = plane_elasticity_matrix({.young = 2, .poisson = 0.3}, PlaneModel::stress);
+  Mat3 C = plane_elasticity_matrix({.young = 2, .poisson = 0.3}, PlaneAssumption::stress);
 
   static Vec2 u(const Vec3& x) {
     return {std::sin(1.3 * x.x() + .4) * std::cos(1.1 * x.y() - .3),

@@ -4,7 +4,7 @@
 
 namespace limes {
 
-enum class PlaneModel { stress, strain };
+enum class PlaneAssumption { stress, strain };
 
 struct Isotropic {
   double young = 1;    ///< > 0
@@ -13,9 +13,9 @@ struct Isotropic {
 
 /// Elasticity matrix of a plane model: stress = C strain in Voigt order xx, yy, xy with engineering
 /// shear strain.
-[[nodiscard]] Mat3 plane_elasticity_matrix(const Isotropic& material, PlaneModel model);
+[[nodiscard]] Mat3 plane_elasticity_matrix(const Isotropic& material, PlaneAssumption model);
 
 /// Von Mises stress from stresses in Voigt order; in plane strain with sigma_zz = nu (xx + yy).
-[[nodiscard]] double von_mises(const Vec3& stress, const Isotropic& material, PlaneModel model);
+[[nodiscard]] double von_mises(const Vec3& stress, const Isotropic& material, PlaneAssumption model);
 
 }  // namespace limes

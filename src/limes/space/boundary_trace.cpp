@@ -102,10 +102,12 @@ std::vector<ConstraintRow> independent(const std::vector<ConstraintRow>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const auto& [dof, w] : rows[i])
       M(static_cast<Eigen::Index>(i), column[dof]) += w;
+  // What is felt a million times less than the rest is taken as nothing: its direction is not known
+  // well enough to recognise a constraint that two sides share.
   const Eigen::JacobiSVD<MatrixX> svd(M, Eigen::ComputeThinV);
   std::vector<ConstraintRow> out;
   for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
-    if (!(svd.singularValues()(k) > 1e-8 * svd.singularValues()(0))) break;
+    if (!(svd.singularValues()(k) > 1e-6 * svd.singularValues()(0))) break;
     ConstraintRow row;
     for (Eigen::Index j = 0; j < svd.matrixV().rows(); ++j)
       if (std::abs(svd.matrixV()(j, k)) > 1e-14)

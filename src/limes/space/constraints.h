@@ -23,6 +23,6 @@ struct Elimination {
 /// weight. Constraints that follow from earlier ones are recognised and left out.
 /// @param tolerance  relative to a row's largest weight: what is smaller after substitution is 0
 [[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows,
-                                    double tolerance = 1e-10);
+                                    double tolerance = 1e-6);
 
 }  // namespace limes

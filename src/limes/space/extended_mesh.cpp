@@ -101,7 +101,8 @@ class GhostRing {
       if (at(i).type != GhostType::reentrant) continue;
       const int a = types_.previous(i);
       const int b = types_.next(i);
-      const auto [kept, dropped] = std::minmax(ghost(a).after, ghost(b).before);
+      const VertexId kept = std::min(ghost(a).after, ghost(b).before);
+      const VertexId dropped = std::max(ghost(a).after, ghost(b).before);
       if (kept != dropped) replace(dropped, kept);
     }
     renumber();

@@ -7,18 +7,11 @@
 namespace limes {
 namespace {
 
-/// Faces that are no elements.
-std::vector<bool> faces_without_element(const Mesh& mesh, const Adjacency& adjacency,
-                                        BoundaryRule boundary) {
-  const Topology& t = mesh.topology;
-  std::vector<bool> drop(static_cast<std::size_t>(t.num_faces()), false);
+std::vector<bool> hole_faces(const Mesh& mesh) {
+  std::vector<bool> hole(static_cast<std::size_t>(mesh.topology.num_faces()), false);
   for (const FaceId f : mesh.tags.holes)
-    drop[static_cast<std::size_t>(f.value)] = true;
-  if (boundary != BoundaryRule::none) return drop;
-  for (int f = 0; f < t.num_faces(); ++f)
-    for (const VertexId v : t.face(FaceId(f)))
-      if (adjacency.is_boundary(v)) drop[static_cast<std::size_t>(f)] = true;
-  return drop;
+    hole[static_cast<std::size_t>(f.value)] = true;
+  return hole;
 }
 
 }  // namespace
@@ -28,20 +21,20 @@ SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule
     : mesh_(std::move(mesh)), quadrature_(options.quadrature) {
   const Adjacency adjacency(mesh_.topology);
   const Features features = resolve_tags(adjacency, mesh_.tags, boundary);
-  // Dropped boundary faces are ghosts already; functions without reach have no use for any.
-  const bool ghosts = options.ghosts && boundary != BoundaryRule::none && scheme.reach > 0;
+  const bool ghosts = options.ghosts && scheme.reach > 0;  // no use for functions without reach
   extended_ = ghosts ? with_ghosts(adjacency, features, kinks, mesh_.points.span())
                      : without_ghosts(adjacency, features, kinks);
   geometry_ = std::make_unique<LimitBasis>(mesh_.topology, features, scheme);
   field_ = std::make_unique<LimitBasis>(extended_.topology, extended_.features, scheme);
-  add_elements(faces_without_element(mesh_, adjacency, boundary));
+  add_elements();
   number_dofs();
 }
 
-void SubdivisionSpace::add_elements(const std::vector<bool>& drop) {
+void SubdivisionSpace::add_elements() {
+  const std::vector<bool> hole = hole_faces(mesh_);
   std::map<std::tuple<int, int, int>, int> shapes;
   for (int i = 0; i < mesh_.topology.num_faces(); ++i) {
-    if (drop[static_cast<std::size_t>(i)]) continue;
+    if (hole[static_cast<std::size_t>(i)]) continue;
     const FaceId f(i);
     for (int c = 0; c < geometry_->num_quadrants(f); ++c) {
       const auto [it, added] = shapes.try_emplace({geometry_->kind(f), field_->kind(f), c},

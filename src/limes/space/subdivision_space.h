@@ -31,9 +31,8 @@ struct SpaceOptions {
 /// The geometry is the limit surface of the control mesh, whatever the field does.
 class SubdivisionSpace {
  public:
-  /// @param mesh      control mesh; hole faces (and with BoundaryRule::none the faces at the
-  ///                  boundary) shape their neighbours but are no elements
-  /// @param boundary  rule of the geometry
+  /// @param mesh      control mesh; hole faces shape their neighbours but are no elements
+  /// @param boundary  rule of the geometry, not `none` (tag the faces at the boundary as holes)
   /// @param kinks     edges across which the field may kink
   /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
   SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, const Kinks& kinks,
@@ -71,7 +70,7 @@ class SubdivisionSpace {
   [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> position_coefficients() const;
 
  private:
-  void add_elements(const std::vector<bool>& drop);
+  void add_elements();
   void number_dofs();
   [[nodiscard]] const Element& first_of_shape(int shape) const {
     return elements_[static_cast<std::size_t>(first_of_shape_[static_cast<std::size_t>(shape)])];

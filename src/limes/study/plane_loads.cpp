@@ -1,0 +1,115 @@
+#include "limes/study/plane_loads.h"
+
+#include "limes/core/error.h"
+#include "limes/fem/load.h"
+#include "limes/study/selection.h"
+
+namespace limes {
+namespace {
+
+class LoadAssembler {
+ public:
+  LoadAssembler(const PlaneModel& model, const LoadSettings& load)
+      : model_(model),
+        load_(load),
+        chosen_(model.mesh(), model.adjacency(), model.limit_points.span(), load.where,
+                model.problem.file.string(), load.line) {}
+
+  VectorX assemble() {
+    if (load_.kind != LoadKind::pressure && !load_.value[2].is_zero())
+      throw InputError("{}:{}: plane models carry no load in z; make it 0", file(), load_.line);
+    switch (load_.kind) {
+      case LoadKind::force:
+        return at_vertices();
+      case LoadKind::force_per_length:
+        return along_sides([&](const Vec3& x, const Vec2&) { return value(x); });
+      case LoadKind::pressure:
+        return along_sides([&](const Vec3& x, const Vec2& n) -> Vec2 {
+          return -load_.value[0](x) * side_thickness_ * n;
+        });
+      case LoadKind::force_per_area:
+        return on_faces(false);
+      case LoadKind::force_per_volume:
+        return on_faces(true);
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] std::string file() const { return model_.problem.file.string(); }
+  [[nodiscard]] Vec2 value(const Vec3& x) const { return {load_.value[0](x), load_.value[1](x)}; }
+
+  VectorX at_vertices() {
+    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    for (std::size_t v = 0; v < chosen_.vertices().size(); ++v) {
+      if (!chosen_.vertices()[v]) continue;
+      const VertexId vertex(static_cast<std::int64_t>(v));
+      f += point_load(*model_.space, vertex, value(model_.limit_points[vertex]));
+    }
+    return f;
+  }
+
+  VectorX along_sides(const PlaneTraction& p) {
+    const std::vector<HalfedgeId> sides = chosen_.boundary_edges();
+    if (sides.empty())
+      throw InputError(
+          "{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected", file(),
+          load_.line, load_.where);
+    const std::vector<int> element = element_of_face();
+    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    for (const HalfedgeId h : sides) {
+      const int e = element[static_cast<std::size_t>(model_.adjacency().face(h).value)];
+      if (e < 0) continue;  // a hole's side
+      side_thickness_ = model_.thickness(e);
+      f += side_load(*model_.space, {h}, p);
+    }
+    return f;
+  }
+
+  VectorX on_faces(bool per_volume) {
+    std::vector<bool> face(static_cast<std::size_t>(model_.mesh().topology.num_faces()), false);
+    const std::vector<FaceId> faces = chosen_.faces();
+    if (faces.empty())
+      throw InputError("{}:{}: '{}' selects no face; all vertices of a face must be selected",
+                       file(), load_.line, load_.where);
+    for (const FaceId f : faces)
+      face[static_cast<std::size_t>(f.value)] = true;
+    // One assembly per thickness that occurs.
+    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    for (int m = 0; m < static_cast<int>(model_.problem.materials.size()); ++m) {
+      std::vector<bool> chosen;
+      for (std::size_t e = 0; e < model_.material_of_element.size(); ++e)
+        chosen.push_back(model_.material_of_element[e] == m &&
+                         face[static_cast<std::size_t>(model_.space->elements()[e].face.value)]);
+      const double scale =
+          per_volume ? model_.problem.materials[static_cast<std::size_t>(m)].thickness : 1.0;
+      f +=
+          body_load(*model_.space, chosen, [&](const Vec3& x) -> Vec2 { return scale * value(x); });
+    }
+    return f;
+  }
+
+  [[nodiscard]] std::vector<int> element_of_face() const {
+    std::vector<int> element(static_cast<std::size_t>(model_.mesh().topology.num_faces()), -1);
+    for (int e = static_cast<int>(model_.space->elements().size()) - 1; e >= 0; --e)
+      element[static_cast<std::size_t>(
+          model_.space->elements()[static_cast<std::size_t>(e)].face.value)] = e;
+    return element;
+  }
+
+  const PlaneModel& model_;
+  const LoadSettings& load_;
+  Selection chosen_;
+  double side_thickness_ = 1;
+};
+
+}  // namespace
+
+VectorX assemble_loads(const PlaneModel& model) {
+  VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model.space->num_dofs()));
+  for (const LoadSettings& load : model.problem.loads)
+    f += LoadAssembler(model, load).assemble();
+  return f;
+}
+
+}  // namespace limes

@@ -1,0 +1,170 @@
+#include "limes/study/plane_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/io/io.h"
+#include "limes/limit/limit_surface.h"
+#include "limes/mesh/defects.h"
+#include "limes/mesh/repair.h"
+#include "limes/study/selection.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+std::filesystem::path mesh_path(const Problem& problem) {
+  const std::filesystem::path& file = problem.mesh.file;
+  return file.is_absolute() ? file : problem.file.parent_path() / file;
+}
+
+/// BoundaryRule::none: the faces at the boundary only shape the others, as holes do.
+void drop_boundary_faces(PlaneModel& model) {
+  const Topology& t = model.control.topology;
+  const Adjacency adjacency(t);
+  std::vector<FaceId>& holes = model.control.tags.holes;
+  for (int f = 0; f < t.num_faces(); ++f) {
+    const auto corners = t.face(FaceId(f));
+    if (std::any_of(corners.begin(), corners.end(),
+                    [&](VertexId v) { return adjacency.is_boundary(v); }))
+      holes.emplace_back(f);
+  }
+  std::sort(holes.begin(), holes.end());
+  holes.erase(std::unique(holes.begin(), holes.end()), holes.end());
+  model.boundary = BoundaryRule::edges;
+}
+
+/// Material of every face; -1 where there is none.
+std::vector<int> materials_of_faces(const PlaneModel& model, const Mesh& mesh,
+                                    const Adjacency& adjacency) {
+  const Problem& problem = model.problem;
+  std::vector<int> material(static_cast<std::size_t>(mesh.topology.num_faces()), -1);
+  int rest = -1;
+  for (int m = 0; m < static_cast<int>(problem.materials.size()); ++m) {
+    const MaterialSettings& settings = problem.materials[static_cast<std::size_t>(m)];
+    if (!settings.where) {
+      rest = m;
+      continue;
+    }
+    const Selection chosen(mesh, adjacency, model.limit_points.span(), *settings.where,
+                           problem.file.string(), settings.line);
+    for (const FaceId f : chosen.faces()) {
+      int& of_face = material[static_cast<std::size_t>(f.value)];
+      if (of_face >= 0)
+        throw InputError("{}:{}: face {} has two materials, here and in line {}",
+                         problem.file.string(), settings.line, f.value,
+                         problem.materials[static_cast<std::size_t>(of_face)].line);
+      of_face = m;
+    }
+  }
+  std::replace(material.begin(), material.end(), -1, rest);
+  return material;
+}
+
+/// Edges between faces of different materials.
+Kinks material_borders(const Adjacency& adjacency, const std::vector<int>& material) {
+  Kinks kinks;
+  for (int e = 0; e < adjacency.num_edges(); ++e) {
+    const HalfedgeId h = adjacency.halfedge(EdgeId(e));
+    const HalfedgeId twin = adjacency.twin(h);
+    if (!twin.valid()) continue;
+    const auto of = [&](HalfedgeId side) {
+      return material[static_cast<std::size_t>(adjacency.face(side).value)];
+    };
+    if (of(h) != of(twin)) kinks.push_back(h);
+  }
+  return kinks;
+}
+
+/// Limit points of the vertices, and the size of the box around them; all in one plane z = const.
+void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& model) {
+  model.limit_points = limit_positions(LimitSurface(basis, mesh.points.span()), mesh.points.span());
+  Eigen::AlignedBox3d box;
+  int first = -1;
+  for (int v = 0; v < mesh.points.size(); ++v) {
+    if (!basis.adjacency().ring_start(VertexId(v)).valid()) continue;
+    if (first < 0) first = v;
+    box.extend(model.limit_points[VertexId(v)]);
+  }
+  model.diagonal = box.diagonal().norm();
+  const double z = model.limit_points[VertexId(first)].z();
+  for (int v = 0; v < mesh.points.size(); ++v) {
+    const bool used = basis.adjacency().ring_start(VertexId(v)).valid();
+    const double dz = model.limit_points[VertexId(v)].z() - z;
+    if (used && std::abs(dz) > 1e-9 * model.diagonal)
+      throw InputError(
+          "{}: the mesh is not plane: z is {} at vertex {} and {} at vertex {}; plane models need "
+          "one z",
+          mesh_path(model.problem).string(), z, first, z + dz, v);
+  }
+}
+
+}  // namespace
+
+PlaneAssumption PlaneModel::assumption() const {
+  return problem.model.kind == ModelKind::plane_strain ? PlaneAssumption::strain
+                                                       : PlaneAssumption::stress;
+}
+
+Isotropic PlaneModel::material(int element) const {
+  const int m = material_of_element[static_cast<std::size_t>(element)];
+  const MaterialSettings& settings = problem.materials[static_cast<std::size_t>(m)];
+  return {settings.young, settings.poisson};
+}
+
+double PlaneModel::thickness(int element) const {
+  const int m = material_of_element[static_cast<std::size_t>(element)];
+  return problem.materials[static_cast<std::size_t>(m)].thickness;
+}
+
+PlaneModel build_model(const Problem& problem, Mesh control) {
+  require_refinable(control, mesh_path(problem).string());
+  PlaneModel model;
+  model.problem = problem;
+  model.boundary = control.tags.boundary.value_or(BoundaryRule::edges);
+  model.control = std::move(control);
+  if (model.boundary == BoundaryRule::none) drop_boundary_faces(model);
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  Mesh mesh =
+      refine(model.control, scheme, {.levels = problem.mesh.levels, .boundary = model.boundary});
+  const Adjacency adjacency(mesh.topology);
+  const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme);
+  set_limit_points(mesh, basis, model);
+
+  const std::vector<int> material = materials_of_faces(model, mesh, adjacency);
+  const Kinks kinks = problem.model.kinks ? material_borders(adjacency, material) : Kinks();
+  model.space = std::make_unique<SubdivisionSpace>(
+      std::move(mesh), scheme, model.boundary, kinks,
+      SpaceOptions{problem.model.boundary == FieldBoundary::free,
+                   {problem.model.quadrature_points, problem.model.quadrature_depth}});
+  require_unfolded(*model.space);
+  for (const Element& e : model.space->elements()) {
+    const int m = material[static_cast<std::size_t>(e.face.value)];
+    if (m < 0)
+      throw InputError("{}: face {} of the refined mesh has no material; give one without 'where'",
+                       problem.file.string(), e.face.value);
+    model.material_of_element.push_back(m);
+  }
+  for (int e = 0; e < static_cast<int>(model.space->elements().size()); ++e)
+    model.C.push_back(model.thickness(e) *
+                      plane_elasticity_matrix(model.material(e), model.assumption()));
+  return model;
+}
+
+PlaneModel read_model(const Problem& problem, const ModelOptions& options) {
+  MeshFile file = read_mesh(mesh_path(problem));
+  std::vector<std::string> remarks = std::move(file.remarks);
+  if (options.repair) {
+    RepairResult repaired = repair(file.mesh);
+    file.mesh = std::move(repaired.mesh);
+    remarks.insert(remarks.end(), repaired.done.begin(), repaired.done.end());
+  }
+  PlaneModel model = build_model(problem, std::move(file.mesh));
+  model.remarks = std::move(remarks);
+  return model;
+}
+
+}  // namespace limes

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limes/fem/plane_elasticity.h"
+#include "limes/study/problem.h"
+
+namespace limes {
+
+/// A problem on its mesh, ready for loads and supports: what was read, refined, selected.
+struct PlaneModel {
+  Problem problem;
+  Mesh control;  ///< as in the file
+  BoundaryRule boundary = BoundaryRule::edges;
+  std::unique_ptr<SubdivisionSpace> space;  ///< on the control mesh after `levels` refinements
+
+  IdArray<VertexId, Vec3> limit_points;  ///< of the space's control vertices: what `where` is about
+  double diagonal = 0;                   ///< of the box around them
+  std::vector<int> material_of_element;  ///< index in problem.materials
+  ElementStiffness C;                    ///< elasticity matrix times thickness, per element
+  std::vector<std::string> remarks;      ///< of the mesh file's reader
+
+  [[nodiscard]] const Mesh& mesh() const { return space->mesh(); }
+  [[nodiscard]] const Adjacency& adjacency() const { return space->geometry().adjacency(); }
+  [[nodiscard]] PlaneAssumption assumption() const;
+  [[nodiscard]] Isotropic material(int element) const;
+  [[nodiscard]] double thickness(int element) const;
+};
+
+struct ModelOptions {
+  bool repair = false;  ///< mend what mesh/repair.h can mend
+};
+
+/// Refines a control mesh, finds the materials and builds the space.
+/// @throws InputError for a mesh that cannot be refined, is not plane or is folded, and for faces
+///         with no material or two
+[[nodiscard]] PlaneModel build_model(const Problem& problem, Mesh control);
+
+/// The same for the mesh file that the problem names.
+[[nodiscard]] PlaneModel read_model(const Problem& problem, const ModelOptions& options = {});
+
+}  // namespace limes

@@ -1,0 +1,156 @@
+#include "limes/study/plane_solution.h"
+
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+#include "limes/solve/linear.h"
+#include "limes/study/periodic_cell.h"
+#include "limes/study/plane_loads.h"
+#include "limes/study/supports.h"
+
+namespace limes {
+namespace {
+
+/// The system after elimination.
+struct Reduced {
+  Elimination fix;
+  DirectSolver solver;
+
+  Reduced(const SparseMatrix& K, const std::vector<ConstraintRow>& rows)
+      : fix(eliminate(static_cast<int>(K.rows()), rows)),
+        solver(SparseMatrix(fix.T.transpose() * K * fix.T)) {}
+};
+
+/// Solves for several right-hand sides; also tells the residual.
+MatrixX solve_reduced(const SparseMatrix& K, const std::vector<ConstraintRow>& rows,
+                      const MatrixX& f, PlaneSolution& solution) {
+  const Reduced system(K, rows);
+  const MatrixX reduced = system.fix.T.transpose() * f;
+  const MatrixX free = system.solver.solve(reduced);
+  solution.num_unknowns = system.fix.num_free();
+  solution.solver_residual = system.solver.relative_residual(free, reduced);
+  return system.fix.T * free;
+}
+
+/// Force and moment of nodal forces. Rigid motions are in the space, so these are exact.
+PlaneResultant resultant_of(const VectorX& f, int dof,
+                            const Eigen::Matrix<double, Eigen::Dynamic, 3>& x) {
+  const Vec2 force = f.segment<2>(2 * dof);
+  return {force.x(), force.y(), x(dof, 0) * force.y() - x(dof, 1) * force.x()};
+}
+
+/// Splits the residual K u - f, which only constrained unknowns have, among the supports; what two
+/// supports share goes to the first.
+void set_reactions(const Constraints& constraints, const VectorX& residual,
+                   const Eigen::Matrix<double, Eigen::Dynamic, 3>& x, PlaneSolution& solution) {
+  std::vector<bool> taken(static_cast<std::size_t>(residual.size()), false);
+  for (const Constraints::Source& source : constraints.sources) {
+    VectorX own = VectorX::Zero(residual.size());
+    for (int r = source.first; r < source.last; ++r)
+      for (const auto& [unknown, weight] : constraints.rows[static_cast<std::size_t>(r)]) {
+        if (taken[static_cast<std::size_t>(unknown)]) continue;
+        taken[static_cast<std::size_t>(unknown)] = true;
+        own(unknown) = residual(unknown);
+      }
+    PlaneResultant sum = PlaneResultant::Zero();
+    for (int a = 0; a < residual.size() / 2; ++a)
+      sum += resultant_of(own, a, x);
+    solution.reactions.push_back({source.where, sum});
+  }
+}
+
+double thickness_of_cell(const PlaneModel& model) {
+  const double t = model.problem.materials.front().thickness;
+  for (const MaterialSettings& m : model.problem.materials)
+    if (m.thickness != t)
+      throw InputError("{}:{}: a periodic cell has one thickness; here are {} and {}",
+                       model.problem.file.string(), m.line, t, m.thickness);
+  return t;
+}
+
+void require_no_supports(const Problem& problem) {
+  const auto fail = [&](const char* what, int line) {
+    throw InputError("{}:{}: a periodic cell is driven by its gradient alone; remove this [[{}]]",
+                     problem.file.string(), line, what);
+  };
+  if (!problem.supports.empty()) fail("support", problem.supports.front().line);
+  if (!problem.loads.empty()) fail("load", problem.loads.front().line);
+}
+
+}  // namespace
+
+PlaneSolution solve_supported(const PlaneModel& model) {
+  PlaneSolution solution;
+  const Constraints constraints = support_constraints(model);
+  require_no_rigid_motion(model, constraints.rows);
+  const VectorX f = assemble_loads(model);
+  check_interrupt();
+  const SparseMatrix K = elasticity_matrix(*model.space, model.C);
+  check_interrupt();
+  solution.u = solve_reduced(K, constraints.rows, f, solution);
+  const VectorX internal = K * solution.u;
+  solution.strain_energy = 0.5 * solution.u.dot(internal);
+  const auto x = model.space->position_coefficients();
+  for (int a = 0; a < model.space->num_dofs(); ++a)
+    solution.loads += resultant_of(f, a, x);
+  set_reactions(constraints, internal - f, x, solution);
+  return solution;
+}
+
+PlaneSolution solve_periodic(const PlaneModel& model) {
+  require_no_supports(model.problem);
+  PlaneSolution solution;
+  const PeriodicCell cell = find_periodic_cell(model);
+  const double volume = cell.area() * thickness_of_cell(model);
+  const std::vector<ConstraintRow> rows = periodic_constraints(model, cell);
+  require_no_rigid_motion(model, rows);
+  check_interrupt();
+  const SparseMatrix K = elasticity_matrix(*model.space, model.C);
+  const UnitStrainLoad unit = unit_strain_load(*model.space, model.C);
+  check_interrupt();
+  // Fluctuations for the three unit strains; the given gradient is a combination of them.
+  const MatrixX chi = solve_reduced(K, rows, -unit.f, solution);
+
+  PlaneSolution::Homogenised h;
+  h.stiffness = (unit.integral_of_C + unit.f.transpose() * chi) / volume;
+  h.width = cell.width;
+  h.height = cell.height;
+  solution.gradient = model.problem.periodic->gradient - Mat2::Identity();
+  const Mat2& g = solution.gradient;
+  h.strain = Vec3(g(0, 0), g(1, 1), g(0, 1) + g(1, 0));
+  h.stress = h.stiffness * h.strain;
+  solution.u = chi * h.strain;
+  // Energy of the total strain, from the fields themselves.
+  solution.strain_energy =
+      0.5 * (h.strain.dot(unit.integral_of_C * h.strain) +
+             2.0 * h.strain.dot(unit.f.transpose() * solution.u) + solution.u.dot(K * solution.u));
+  solution.homogenised = h;
+  return solution;
+}
+
+PlaneSolution solve_plane(const PlaneModel& model) {
+  return model.problem.periodic ? solve_periodic(model) : solve_supported(model);
+}
+
+std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& solution, int element,
+                               const ElementTable& table) {
+  ElementPoints points;
+  to_physical(table, model.space->control_points(element), points);
+  const auto u = element_field(*model.space, element, solution.u);
+  const auto strain = strains(points, u);
+  const Mat3 C = model.C[static_cast<std::size_t>(element)] / model.thickness(element);
+  const Mat2& g = solution.gradient;
+  const Vec3 macroscopic(g(0, 0), g(1, 1), g(0, 1) + g(1, 0));
+  std::vector<PlaneState> out;
+  for (Eigen::Index i = 0; i < strain.rows(); ++i) {
+    PlaneState s;
+    s.x = points.x.row(i).transpose();
+    s.u = g * s.x.head<2>() + (table.N.row(i) * u).transpose();
+    s.strain = macroscopic + strain.row(i).transpose();
+    s.stress = C * s.strain;
+    s.von_mises = von_mises(s.stress, model.material(element), model.assumption());
+    out.push_back(s);
+  }
+  return out;
+}
+
+}  // namespace limes

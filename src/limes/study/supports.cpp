@@ -1,0 +1,60 @@
+#include "limes/study/supports.h"
+
+#include "limes/core/error.h"
+#include "limes/space/boundary_trace.h"
+#include "limes/study/selection.h"
+
+namespace limes {
+namespace {
+
+/// A scalar functional as a row on one component.
+ConstraintRow on_component(const ConstraintRow& scalar, int component) {
+  ConstraintRow row;
+  for (const auto& [dof, weight] : scalar)
+    row.emplace_back(2 * dof + component, weight);
+  return row;
+}
+
+/// Functionals of the scalar field that a selection holds.
+std::vector<ConstraintRow> held(const PlaneModel& model, const Selection& chosen) {
+  const SubdivisionSpace& space = *model.space;
+  const Adjacency& adjacency = model.adjacency();
+  std::vector<ConstraintRow> rows;
+  std::vector<bool> open = chosen.vertices();
+  for (const HalfedgeId h : chosen.boundary_edges()) {
+    for (ConstraintRow& row : trace_of_side(space, h))
+      rows.push_back(std::move(row));
+    for (const VertexId v : {adjacency.from(h), adjacency.to(h)})
+      open[static_cast<std::size_t>(v.value)] = false;
+  }
+  for (std::size_t v = 0; v < open.size(); ++v) {
+    const VertexId vertex(static_cast<std::int64_t>(v));
+    if (open[v] && adjacency.ring_start(vertex).valid())
+      rows.push_back(value_at_vertex(space, vertex));
+  }
+  return rows;
+}
+
+}  // namespace
+
+Constraints support_constraints(const PlaneModel& model) {
+  const Problem& problem = model.problem;
+  Constraints out;
+  for (const SupportSettings& support : problem.supports) {
+    if (support.fix[2])
+      throw InputError("{}:{}: plane models have no uz; fix ux, uy or both", problem.file.string(),
+                       support.line);
+    const Selection chosen(model.mesh(), model.adjacency(), model.limit_points.span(),
+                           support.where, problem.file.string(), support.line);
+    const std::vector<ConstraintRow> rows = held(model, chosen);
+    const int first = static_cast<int>(out.rows.size());
+    for (int i = 0; i < 2; ++i)
+      if (support.fix[static_cast<std::size_t>(i)])
+        for (const ConstraintRow& row : rows)
+          out.rows.push_back(on_component(row, i));
+    out.sources.push_back({support.where, first, static_cast<int>(out.rows.size())});
+  }
+  return out;
+}
+
+}  // namespace limes
