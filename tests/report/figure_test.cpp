@@ -90,7 +90,7 @@ TEST(Figure, ColourBarTicksLieAtTheirValues) {
   const std::string svg = to_svg(drawing(some_figure()));
   std::vector<std::pair<double, double>> ticks;  // label, y
   const std::regex label(
-      "<text x=\"[0-9.]+\" y=\"([0-9.]+)\" font-size=\"13\" "
+      "<text xml:space=\"preserve\" x=\"[0-9.]+\" y=\"([0-9.]+)\" font-size=\"13\" "
       "fill=\"#1f2328\">((?:−)?)([0-9]+)</text>");
   for (std::sregex_iterator it(svg.begin(), svg.end(), label), end; it != end; ++it) {
     const double sign = (*it)[2].length() > 0 ? -1 : 1;

@@ -56,7 +56,9 @@ TEST(Ticks, EmptyRangeHasOneTick) {
 }
 
 TEST(Ticks, DecadesOnLogAxes) {
-  EXPECT_EQ(log_ticks(2e-5, 3, 8).labels, (Labels{"10^{−4}", "0.001", "0.01", "0.1", "1"}));
+  EXPECT_EQ(log_ticks(2e-5, 3, 8).labels,
+            (Labels{"10^{−4}", "10^{−3}", "10^{−2}", "10^{−1}", "10^{0}"}));
+  EXPECT_EQ(log_ticks(0.005, 3, 8).labels, (Labels{"0.01", "0.1", "1"}));
   const Ticks thin = log_ticks(1e-12, 1, 5);
   EXPECT_LE(thin.values.size(), 5U);
   EXPECT_GE(thin.values.size(), 3U);

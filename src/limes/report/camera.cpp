@@ -35,6 +35,7 @@ struct Box {
 };
 
 Box box_along(const Scene& scene, const Mat3& axes) {
+  check_scene(scene);
   Box box;
   visit_points(scene, [&](const Vec3& p) {
     const Vec3 q = axes * p;

@@ -27,7 +27,8 @@ struct FitOptions {
 /// The camera that looks along `direction` and has all of the scene tightly in the picture.
 /// @param up      points upwards in the picture; not parallel to direction
 /// @param aspect  width / height of the picture
-/// @throws InputError if the scene has no points or up is parallel to direction
+/// @throws InputError if the scene has no points or is broken (check_scene), or if up and direction
+///         are parallel
 [[nodiscard]] Camera fit_camera(const Scene& scene, const Vec3& direction, const Vec3& up,
                                 double aspect, const FitOptions& options = {});
 

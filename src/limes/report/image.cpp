@@ -32,6 +32,29 @@ void Image::blend(int x, int y, const Colour& colour, float alpha) {
   p[2] = part(p[2], colour.b);
 }
 
+Image trimmed(const Image& image, const Colour& background, int margin) {
+  const auto empty = to_bytes(background);
+  int left = image.width(), right = -1, top = image.height(), bottom = -1;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const auto pixel = image.pixel(x, y);
+      if (std::equal(pixel.begin(), pixel.end(), empty.begin())) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = y;
+    }
+  }
+  if (right < 0) return image;
+  left = std::max(left - margin, 0);
+  top = std::max(top - margin, 0);
+  Image result(std::min(right + margin, image.width() - 1) - left + 1,
+               std::min(bottom + margin, image.height() - 1) - top + 1);
+  for (int y = 0; y < result.height(); ++y)
+    std::copy_n(image.row(top + y) + 3 * left, 3 * result.width(), result.row(y));
+  return result;
+}
+
 std::string encode_png(const Image& image) {
   LIMES_ASSERT(!image.empty());
   png_image header{};

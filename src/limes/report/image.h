@@ -43,6 +43,10 @@ class Image {
   std::vector<std::uint8_t> bytes_;
 };
 
+/// The part that is not all background, with `margin` pixels of background around it where the
+/// image has them. An image of background only stays as it is.
+[[nodiscard]] Image trimmed(const Image& image, const Colour& background, int margin);
+
 /// The bytes of a PNG file: 8-bit RGB, no time stamp, the same for the same pixels.
 [[nodiscard]] std::string encode_png(const Image& image);
 /// The same as a file that appears complete or not at all. @throws OutputError

@@ -1,6 +1,7 @@
 #include "limes/report/pictures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "limes/core/error.h"
 #include "limes/mesh/adjacency.h"
@@ -95,6 +96,11 @@ Figure scene_figure(const Scene& scene, const PictureOptions& options) {
   Figure figure;
   figure.image =
       render(scene, camera_for(scene, options, size), {.size = size, .density = options.density});
+  if (options.direction) {
+    constexpr double margin = 10;
+    figure.image = trimmed(figure.image, scene.background,
+                           static_cast<int>(std::lround(margin * options.density)));
+  }
   figure.density = options.density;
   figure.title = options.title;
   figure.caption = options.caption;

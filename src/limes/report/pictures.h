@@ -33,8 +33,7 @@ struct Triangulation {
 /// Every edge of the mesh once.
 [[nodiscard]] Lines edge_lines(const Topology& topology, std::span<const Vec3> points);
 
-/// Common wishes for a picture. The size is an upper limit for plane models: their picture gets the
-/// model's proportions.
+/// Common wishes for a picture. The size is an upper limit: pictures get the model's proportions.
 struct PictureOptions {
   std::string title = {};
   std::string caption = {};

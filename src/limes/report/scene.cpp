@@ -34,6 +34,7 @@ void check_finite(const char* what, const std::vector<Vec3>& points) {
 
 std::vector<Vec3> smooth_normals(const std::vector<Vec3>& points,
                                  const std::vector<std::array<int, 3>>& triangles) {
+  check_indices("triangle", triangles, points.size());
   std::vector<Vec3> normals(points.size(), Vec3::Zero());
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   for (const auto& [a, b, c] : triangles) {

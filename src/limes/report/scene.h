@@ -58,6 +58,7 @@ struct Scene {
 };
 
 /// Area-weighted normals at points, unit length; zero where no triangle gives a direction.
+/// @throws InputError for an index out of range
 [[nodiscard]] std::vector<Vec3> smooth_normals(const std::vector<Vec3>& points,
                                                const std::vector<std::array<int, 3>>& triangles);
 

@@ -110,8 +110,8 @@ void SvgCanvas::circle(const Vec2& centre, double radius, const Paint& paint) {
 void SvgCanvas::text(const Vec2& at, std::string_view label, const TextStyle& style) {
   const std::string x = coordinate(at[0]);
   const std::string y = coordinate(at[1]);
-  svg_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"", x, y,
-                      coordinate(style.size), to_css(style.colour));
+  svg_ += fmt::format("<text xml:space=\"preserve\" x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\"",
+                      x, y, coordinate(style.size), to_css(style.colour));
   if (style.anchor != Anchor::start)
     svg_ += fmt::format(" text-anchor=\"{}\"", style.anchor == Anchor::middle ? "middle" : "end");
   if (style.bold) svg_ += " font-weight=\"bold\"";

@@ -54,17 +54,17 @@ Step nice_step(double low, double high, int most) {
   return step;
 }
 
-/// "0.2", "50", "10^{-7}": the shorter of both forms for digit * 10^exponent.
-std::string log_label(int digit, int exponent) {
-  if (exponent >= -3 && exponent <= 4) {
-    return fmt::format("{:.{}f}", digit * pow10(exponent), std::max(0, -exponent));
-  }
+/// digit * 10^exponent as "0.2" or as "2·10^{-1}".
+std::string log_label(int digit, int exponent, bool plain) {
+  if (plain) return fmt::format("{:.{}f}", digit * pow10(exponent), std::max(0, -exponent));
   return digit == 1 ? power_of_ten(exponent) : fmt::format("{}·{}", digit, power_of_ten(exponent));
 }
 
+/// Plain numbers only if none is long.
 void add_log_ticks(Ticks& ticks, double low, double high, std::initializer_list<int> digits,
                    int every) {
   constexpr double slack = 1e-9;
+  const bool plain = low > 0.9e-3 && high < 1.1e5;
   const int first = static_cast<int>(std::floor(std::log10(low)));
   const int last = static_cast<int>(std::ceil(std::log10(high)));
   for (int e = first; e <= last; ++e) {
@@ -73,7 +73,7 @@ void add_log_ticks(Ticks& ticks, double low, double high, std::initializer_list<
       const double value = digit * pow10(e);
       if (value < low * (1 - slack) || value > high * (1 + slack)) continue;
       ticks.values.push_back(value);
-      ticks.labels.push_back(log_label(digit, e));
+      ticks.labels.push_back(log_label(digit, e, plain));
     }
   }
 }

@@ -20,8 +20,8 @@ struct Ticks {
 [[nodiscard]] Ticks linear_ticks(double low, double high, int most);
 
 /// Powers of ten inside [low, high], low > 0, every k-th if there were more than `most`; within
-/// less than two decades also 2 and 5 times a power of ten. Labels "10^{-3}", or "0.01" where
-/// shorter forms read better.
+/// less than two decades also 2 and 5 times a power of ten. Labels "10^{-3}", or "0.01" if
+/// all of them are short that way.
 [[nodiscard]] Ticks log_ticks(double low, double high, int most);
 
 /// A number for people: `digits` significant ones, no trailing zeros, U+2212 as sign, and
