@@ -74,7 +74,7 @@ TEST(Repair, SplitsABowTieWithItsTags) {
   EXPECT_EQ(corners_of(result.mesh, 1), (std::vector{5, 3, 4}));
   EXPECT_EQ(result.mesh.points[VertexId(5)], mesh.points[VertexId(2)]);
   const std::vector<CornerTag> corners{
-      {VertexId(2), 3.0F}, {VertexId(5), 3.0F}, {VertexId(0), 1.0F}};
+      {VertexId(2), 3.0F}, {VertexId(0), 1.0F}, {VertexId(5), 3.0F}};
   EXPECT_EQ(result.mesh.tags.corners, corners);
   const std::vector<CreaseTag> creases{{VertexId(1), VertexId(2), 1.0F},
                                        {VertexId(3), VertexId(5), 2.0F}};

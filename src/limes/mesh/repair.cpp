@@ -202,38 +202,28 @@ void Repair::split_bow_ties() {
       counted(copies.size(), "vertex", "vertices"));
 }
 
-/// Carries creases to all copies of their vertices; `corners` are the new ones.
+/// Lets creases follow their edges; `corners` are the new ones. All sides along an edge lie in one
+/// fan at each of its ends, so the first of them tells.
 void Repair::move_creases(const std::vector<VertexId>& corners) {
   const Topology& topology = mesh_.topology;
   const EdgeGroups edges = group_by_edge(topology);
   const auto next = next_halfedges(topology);
-  const auto new_corner = [&](HalfedgeId h) { return corners[static_cast<std::size_t>(h.value)]; };
-  std::vector<CreaseTag> creases;
-  for (const CreaseTag& tag : mesh_.tags.creases) {
-    std::vector<std::pair<VertexId, VertexId>> copies;
-    for (const HalfedgeId h : halfedges_between(topology, edges, next, tag.a, tag.b)) {
-      const auto ends = std::pair(new_corner(h), new_corner(next[h]));
-      const bool forward = topology.corner(h) == tag.a;
-      copies.push_back(forward ? ends : std::pair(ends.second, ends.first));
-    }
-    std::sort(copies.begin(), copies.end());
-    copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
-    for (const auto& [a, b] : copies)
-      creases.push_back({a, b, tag.sharpness});
+  for (CreaseTag& tag : mesh_.tags.creases) {
+    const HalfedgeId h = halfedges_between(topology, edges, next, tag.a, tag.b).front();
+    const bool forward = topology.corner(h) == tag.a;
+    tag.a = corners[static_cast<std::size_t>((forward ? h : next[h]).value)];
+    tag.b = corners[static_cast<std::size_t>((forward ? next[h] : h).value)];
   }
-  mesh_.tags.creases = std::move(creases);
 }
 
+/// Copies the tag that counts, which is the last, of every vertex that was split.
 /// @param copies ascending
 void Repair::copy_corner_tags(const std::vector<Copy>& copies) {
-  std::vector<CornerTag> tags;
-  for (const CornerTag& tag : mesh_.tags.corners) {
-    tags.push_back(tag);
-    auto copy = std::lower_bound(copies.begin(), copies.end(), Copy(tag.vertex, VertexId()));
-    for (; copy != copies.end() && copy->first == tag.vertex; ++copy)
-      tags.push_back({copy->second, tag.sharpness});
-  }
-  mesh_.tags.corners = std::move(tags);
+  IdArray<VertexId, float> sharpness(static_cast<std::size_t>(mesh_.topology.num_vertices()), -1);
+  for (const CornerTag& tag : mesh_.tags.corners)
+    sharpness[tag.vertex] = tag.sharpness;
+  for (const auto& [vertex, copy] : copies)
+    if (sharpness[vertex] >= 0) mesh_.tags.corners.push_back({copy, sharpness[vertex]});
 }
 
 void Repair::remove_unused() {
