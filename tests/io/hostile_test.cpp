@@ -9,6 +9,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "limes/core/error.h"
 #include "limes/io/io.h"
@@ -163,6 +164,31 @@ TEST(HostileFiles, AllHaveAVerdict) {
   std::sort(present.begin(), present.end());
   EXPECT_EQ(judged, present);
   EXPECT_GT(judged.size(), 90U);
+}
+
+/// The row of a file in the manual.
+std::string row_of(const std::string& manual, const std::string& file) {
+  const std::string start = fmt::format("\n| `{}` |", fs::path(file).filename().string());
+  // "made" comes before "real"; both have an empty.obj and a moebius.obj
+  const std::size_t at = file.rfind("made", 0) == 0 ? manual.find(start) : manual.rfind(start);
+  if (at == std::string::npos) return "";
+  return manual.substr(at + 1, manual.find('\n', at + 1) - at - 1);
+}
+
+TEST(HostileFiles, TheManualTellsTheVerdicts) {
+  std::ifstream in(folder / "../../../docs/hostile-files.md");
+  const std::string manual{std::istreambuf_iterator<char>(in), {}};
+  for (const Verdict& v : read_verdicts()) {
+    const std::string row = row_of(manual, v.file);
+    EXPECT_EQ(row.find("| rejected: ") != std::string::npos, v.reader == "reject") << v.file;
+    EXPECT_EQ(row.find("| read") != std::string::npos, v.reader == "accept") << v.file;
+    EXPECT_EQ(row.find("; not refined") != std::string::npos, v.refine == "no") << v.file;
+    EXPECT_EQ(row.find(", then refined") != std::string::npos,
+              v.refine == "no" && v.repaired == "yes")
+        << v.file;
+    const std::string rejection = v.reader == "reject" ? v.says.substr(2) : "";
+    EXPECT_NE(row.find(rejection), std::string::npos) << v.file;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "io/expect.h"
 #include "limes/io/io.h"
 
@@ -133,6 +136,39 @@ TEST(ObjTags, NegativeSharpnessIsZero) {
   EXPECT_EQ(file.mesh.tags.corners, (Corners{corner(0, 0), corner(1, 0), corner(2, 0)}));
   EXPECT_EQ(file.remarks,
             std::vector<std::string>{"f:7: negative sharpness taken as 0 (also line 8)"});
+}
+
+std::string manual() {
+  std::ifstream in(LIMES_TEST_DATA_DIR "/../../docs/formats.md");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(ObjTags, TheExampleOfTheManualIsWhatIsWritten) {
+  const std::string text = manual();
+  const std::size_t begin = text.find("```text\n") + 8;
+  const std::string example = text.substr(begin, text.find("```", begin) - begin);
+  const MeshFile file = read_obj(example, "f");
+  EXPECT_TRUE(file.remarks.empty());
+  EXPECT_EQ(written(write_obj, file.mesh), example);
+}
+
+TEST(ObjTags, TheTableOfTheManualIsRead) {
+  // a row of seven quads: edges 0-1, 1-2, 2-3, 4-7 and 6-7 exist on its lower side
+  std::string mesh;
+  for (int i = 0; i < 16; ++i)
+    mesh += fmt::format("v {} {} 0\n", i % 8, i / 8);
+  for (int i = 0; i < 13; ++i)
+    mesh += i < 7 ? fmt::format("f {} {} {} {}\n", i + 1, i + 2, i + 10, i + 9)
+                  : std::string("f 5 8 16 13\n");
+  const std::string text = manual();
+  int num_tags = 0;
+  for (std::size_t at = text.find("| `t "); at != std::string::npos;
+       at = text.find("| `t ", at + 1)) {
+    const std::string tag = text.substr(at + 3, text.find('`', at + 3) - at - 3);
+    EXPECT_TRUE(read_obj(mesh + tag, "f").remarks.empty()) << tag;
+    ++num_tags;
+  }
+  EXPECT_EQ(num_tags, 8);
 }
 
 }  // namespace
