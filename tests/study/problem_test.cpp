@@ -248,6 +248,24 @@ TEST(Problem, SomethingHoldsTheBody) {
   EXPECT_NO_THROW((void)parse(draft.text()));
 }
 
+// Between tokens they are errors of TOML, which toml++ 3.3 finds by luck only, see study/toml.h.
+TEST(Problem, EveryCharacterMayStandInTextsAndComments) {
+  // U+E4, U+3B1, U+2603, U+2F00, U+3042, U+FC46, U+FE0F, U+FEFE, U+10FFFD
+  for (const char* character :
+       {"\xc3\xa4", "\xce\xb1", "\xe2\x98\x83", "\xe2\xbc\x80", "\xe3\x81\x82", "\xef\xb1\x86",
+        "\xef\xb8\x8f", "\xef\xbb\xbe", "\xf4\x8f\xbf\xbd"}) {
+    const std::string text =
+        fmt::format("# {0}\ntitle = \"\"\"{0} \\\n {0}\"\"\"\n{1}", character, Draft().text());
+    EXPECT_EQ(parse(text).title, fmt::format("{0} {0}", character));
+    EXPECT_EQ(parse(text, {fmt::format("title={}!", character)}).title,
+              std::string(character) + "!");
+    for (const char* broken : {"a = 1\n{} \n", "a = 1\n{} = 2\n", "[a]\nb = {}\n", "a = 1\n[{}]\n",
+                               "a = 1\nb = [ {} ]\n", "a = 1\nb {} = 2\n", "a = 1\nb = 2 {}\n"})
+      expect_message(message_of<InputError>(fmt::format(fmt::runtime(broken), character)),
+                     "p.toml:2: ", {});
+  }
+}
+
 TEST(Problem, TomlErrorsHaveTheirLine) {
   const std::vector<std::pair<std::string, int>> all{{"title = \"a\"\ntitle = \"b\"\n", 2},
                                                      {"[mesh]\n\n[mesh]\n", 3},
