@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <limits>
 #include <regex>
 
 #include "limes/core/error.h"
@@ -78,6 +78,32 @@ TEST(Triangulate, HollowFacesAreCoveredOnce) {
     sum += area;
   }
   EXPECT_DOUBLE_EQ(sum, 12 - 4);
+}
+
+TEST(ControlMeshFigure, HolesStayOpen) {
+  Mesh mesh = grid(3);
+  mesh.tags.holes = {FaceId(4)};
+  const Figure figure = control_mesh_figure(mesh, {.size = {120, 120}, .density = 1});
+  const auto middle = figure.image.pixel(60, 60);
+  EXPECT_TRUE(std::equal(middle.begin(), middle.end(), to_bytes(palette::paper).begin()));
+  ASSERT_EQ(figure.legend.size(), 2U);  // the only regular face was the hole
+  EXPECT_EQ(figure.legend[0].label, "boundary");
+}
+
+TEST(FieldFigure, ConstantAndMissingValuesHaveAPicture) {
+  FieldPicture field;
+  const Mesh mesh = grid(3);
+  field.points = mesh.points.vector();
+  field.triangles = triangulate(mesh.topology, mesh.points.span()).triangles;
+  field.values.assign(field.points.size(), 7.0);
+  field.values[0] = std::numeric_limits<double>::quiet_NaN();
+  const Figure figure = field_figure(field, {.size = {90, 90}, .density = 1});
+  const auto known = figure.image.pixel(70, 20), missing = figure.image.pixel(4, 85);
+  const auto middle = to_bytes(ColourMap::sequential()(0.5));
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(known[c], middle[c], 2);
+  EXPECT_TRUE(std::equal(missing.begin(), missing.end(), to_bytes(palette::no_data).begin()));
+  EXPECT_NE(to_svg(drawing(figure)).find(">7</text>"), std::string::npos);
 }
 
 TEST(EdgeLines, EveryEdgeOnce) {

@@ -5,6 +5,10 @@
 #include <numeric>
 #include <random>
 
+#ifdef LIMES_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include "limes/core/error.h"
 #include "limes/report/render.h"
 
@@ -313,6 +317,12 @@ TEST(Render, TwiceTheSameBytesAndSupersamplingKeepsTheMeanColour) {
   RenderOptions options = pixel_exact;
   const Image once = render(scene, pixel_camera(), options);
   EXPECT_EQ(once, render(scene, pixel_camera(), options));
+#ifdef LIMES_WITH_TBB
+  {
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(once, render(scene, pixel_camera(), options));
+  }
+#endif
   options.samples = 4;
   const Image smooth = render(scene, pixel_camera(), options);
   const auto mean = [](const Image& image) {

@@ -14,6 +14,7 @@ constexpr TextStyle title_style{.size = 17, .bold = true};
 constexpr TextStyle label_style{.size = 13};
 constexpr TextStyle caption_style{.size = 13, .colour = palette::muted};
 constexpr double line_height = 1.45;
+constexpr double bold_width = 1.1;  // bold type of a viewer's font is wider than our font
 
 constexpr double bar_width = 16;
 constexpr double bar_gap = 24;
@@ -28,7 +29,7 @@ class FigureLayout {
     lay_out_columns();
     double y = margin;
     if (!figure.title.empty()) {
-      title_lines_ = wrap_text(figure.title, title_style.size, content_width());
+      title_lines_ = wrap_text(figure.title, bold_width * title_style.size, content_width());
       title_y_ = y + title_style.size;
       y += static_cast<double>(title_lines_.size()) * title_style.size * line_height + 6;
     }

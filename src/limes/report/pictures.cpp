@@ -109,16 +109,20 @@ Figure scene_figure(const Scene& scene, const PictureOptions& options) {
 
 Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
   const std::vector<FaceCategory> categories = classify_faces(mesh.topology);
-  Triangulation cells = triangulate(mesh.topology, mesh.points.span());
+  const Triangulation cells = triangulate(mesh.topology, mesh.points.span());
   Surface surface;
   surface.points = mesh.points.vector();
-  surface.triangles = std::move(cells.triangles);
-  for (const int face : cells.source) {
-    const auto category = static_cast<std::size_t>(categories[static_cast<std::size_t>(face)]);
-    surface.triangle_colours.push_back(category_looks[category].colour);
-  }
   surface.shading = options.direction ? Shading::lit : Shading::flat;
-
+  std::array<bool, category_looks.size()> occurs{};
+  for (std::size_t t = 0; t < cells.triangles.size(); ++t) {
+    const int face = cells.source[t];
+    const auto& holes = mesh.tags.holes;
+    if (std::find(holes.begin(), holes.end(), FaceId(face)) != holes.end()) continue;
+    const auto category = static_cast<std::size_t>(categories[static_cast<std::size_t>(face)]);
+    surface.triangles.push_back(cells.triangles[t]);
+    surface.triangle_colours.push_back(category_looks[category].colour);
+    occurs[category] = true;
+  }
   Scene scene;
   scene.surfaces.push_back(std::move(surface));
   scene.lines.push_back(edge_lines(mesh.topology, mesh.points.span()));
@@ -130,7 +134,7 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
 
   Figure figure = scene_figure(scene, options);
   for (std::size_t c = 0; c < category_looks.size(); ++c) {
-    if (std::count(categories.begin(), categories.end(), static_cast<FaceCategory>(c)) > 0)
+    if (occurs[c])
       figure.legend.push_back(
           {.label = category_looks[c].label, .colour = category_looks[c].colour});
   }

@@ -45,7 +45,7 @@ struct PictureOptions {
 };
 
 /// (a) A control mesh: faces in the colours of their categories, dark edges, extraordinary vertices
-/// marked, with a legend of what occurs.
+/// marked, with a legend of what occurs. Faces tagged as holes are left open.
 [[nodiscard]] Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options);
 
 /// (b) A field on a triangulation.

@@ -157,7 +157,7 @@ Drawing drawing(const Plot& plot) {
   constexpr double title_row = 23, caption_row = 19;
   const PlotLayout layout = lay_out(plot);
   const double text = layout.width - 2 * plot_margin;
-  const auto title = wrap_text(plot.title, title_style.size, text);
+  const auto title = wrap_text(plot.title, 1.1 * title_style.size, text);
   const auto caption = wrap_text(plot.caption, caption_style.size, text);
   const double top =
       title.empty() ? 0 : plot_margin - 4 + title_row * static_cast<double>(title.size());

@@ -5,10 +5,10 @@
 (() => {
   const vertexShader = `#version 300 es
     in vec3 position; in vec3 normal; in vec3 colour;
-    uniform mat3 turn; uniform vec3 shift; uniform vec4 lens;
+    uniform mat3 turn; uniform vec3 shift; uniform vec4 lens; uniform float nearer;
     out vec3 n; out vec3 c;
     void main() {
-      vec3 p = turn * position + shift;
+      vec3 p = (turn * position + shift) * nearer;      // along the ray: only the depth changes
       n = turn * normal; c = colour;
       gl_Position = vec4(lens.x * p.x, lens.y * p.y, lens.z * p.z + lens.w, -p.z);
     }`;
@@ -100,11 +100,11 @@
       gl.uniform3f(gl.getUniformLocation(program, "shift"), pan[0], pan[1], -distance);
       gl.uniform4f(gl.getUniformLocation(program, "lens"), narrow / slope * canvas.height / canvas.width,
                    narrow / slope, (near + far) / (near - far), 2 * near * far / (near - far));
-      gl.enable(gl.POLYGON_OFFSET_FILL);
-      gl.polygonOffset(1, 1);
+      gl.uniform1f(gl.getUniformLocation(program, "nearer"), 1);
       gl.bindVertexArray(triangles.array);
       gl.drawElements(gl.TRIANGLES, triangles.count, gl.UNSIGNED_INT, 0);
       if (!edges.checked) return;
+      gl.uniform1f(gl.getUniformLocation(program, "nearer"), 0.999);   // edges win against their faces
       gl.bindVertexArray(lines.array);
       gl.drawElements(gl.LINES, lines.count, gl.UNSIGNED_INT, 0);
     };
