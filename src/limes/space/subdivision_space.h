@@ -55,6 +55,10 @@ class SubdivisionSpace {
   [[nodiscard]] const ElementTable& table(int shape) const {
     return tables_[static_cast<std::size_t>(shape)];
   }
+  /// The same with another rule.
+  [[nodiscard]] ElementTable quadrature(int shape, const ElementQuadrature& rule) const {
+    return quadrature_table(shape_of(first_of_shape(shape)), rule);
+  }
   /// The same functions at points of one's own.
   [[nodiscard]] ElementTable sample(int shape, const std::vector<Vec2>& points) const;
   /// Tiles on which all functions of a shape are polynomials, see element_tiles.

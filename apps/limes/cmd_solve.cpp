@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.h"
+#include "files.h"
+#include "limes/study/run.h"
+#include "memory.h"
+#include "run.h"
+#include "terminal.h"
+
+namespace limes::app {
+namespace {
+
+struct SolveCommand {
+  std::filesystem::path problem;
+  std::filesystem::path output;
+  std::vector<std::string> overrides;
+  RunOptions run;
+  bool repair = false;
+
+  void operator()() const;
+};
+
+std::string shown(double value) {
+  return fmt::format("{:.8g}", value);
+}
+
+/// The numbers that people look at first.
+std::string summary(const PlaneResult& result) {
+  std::string text =
+      fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
+                  result.model.space->elements().size(), shown(result.solution.strain_energy));
+  if (result.solution.homogenised) {
+    const Mat3& C = result.solution.homogenised->stiffness;
+    text += "effective stiffness (xx, yy, xy)\n";
+    for (int i = 0; i < 3; ++i)
+      text += fmt::format("  {:>14.8f} {:>14.8f} {:>14.8f}\n", C(i, 0), C(i, 1), C(i, 2));
+  }
+  for (const ProbeResult& p : result.probes)
+    text += fmt::format("probe {}: displacement ({}, {}), stress ({}, {}, {})\n", p.name,
+                        shown(p.state.u.x()), shown(p.state.u.y()), shown(p.state.stress(0)),
+                        shown(p.state.stress(1)), shown(p.state.stress(2)));
+  for (const PlaneSolution::Reaction& r : result.solution.reactions)
+    text += fmt::format("reaction at {}: force ({}, {}), moment {}\n", r.where, shown(r.force(0)),
+                        shown(r.force(1)), shown(r.force(2)));
+  for (const SolutionCheck& c : result.checks)
+    text += fmt::format("check {}: {:.2e} {}\n", c.name, c.value,
+                        c.passed() ? "passed" : fmt::format("FAILED, at most {:.0e}", c.limit));
+  return text;
+}
+
+void SolveCommand::operator()() const {
+  const Run current(run);
+  const Problem settings = read_problem(problem, overrides);
+  std::optional<Progress> progress;
+  PlaneResult result = run_problem(settings, {.repair = repair}, [&](std::string_view phase) {
+    progress.reset();
+    progress.emplace(fmt::format("{}: {}", problem.string(), phase));
+  });
+  progress.reset();
+  for (const std::string& r : result.model.remarks)
+    remark(r);
+  result.timings.emplace_back("total", current.seconds());
+  result.peak_memory = peak_memory();
+  if (!output.empty()) write_results(output, result);
+  if (run.json)
+    print_object(result_json(result));
+  else
+    print(summary(result) +
+          (output.empty() ? ""
+                          : fmt::format("results in {}: report.html, result.vtu, result.json\n",
+                                        output.string())));
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program) {
+  const auto command = std::make_shared<SolveCommand>();
+  CLI::App& app = *program.add_subcommand("solve", "Solve the problem of a file");
+  app.add_option("PROBLEM.toml", command->problem, "Problem file, see docs/problem-file.md")
+      ->required()
+      ->group(files_group);
+  app.add_option("-o,--output", command->output,
+                 "Folder for report.html, result.vtu, result.json and pictures")
+      ->option_text("DIR")
+      ->group(files_group);
+  app.add_option("--set", command->overrides,
+                 "Change a value of the file: mesh.levels=3, load.0.force_per_area=[0,-1]")
+      ->option_text("KEY=VALUE ...")
+      ->group(work_group);
+  app.add_flag("--repair", command->repair, "Mend the mesh where that is possible, and say how")
+      ->group(files_group);
+  add_run_options(app, command->run);
+  app.footer("  limes solve block.toml -o block --set mesh.levels=2");
+  app.final_callback([command] { (*command)(); });
+}
+
+}  // namespace limes::app

@@ -1,0 +1,110 @@
+#include "limes/study/probes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "limes/limit/limit_surface.h"
+
+namespace limes {
+namespace {
+
+struct Candidate {
+  double distance2;
+  int element;
+  Vec2 uv;
+};
+
+/// Nearest of a coarse set of sample points on every element, best first.
+std::vector<Candidate> candidates(const SubdivisionSpace& space,
+                                  const std::vector<ElementTable>& samples, const Vec3& at) {
+  std::vector<Candidate> out;
+  for (int e = 0; e < static_cast<int>(space.elements().size()); ++e) {
+    const ElementTable& table =
+        samples[static_cast<std::size_t>(space.elements()[static_cast<std::size_t>(e)].shape)];
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> x = table.G * space.control_points(e);
+    Eigen::Index best = 0;
+    const double d = (x.rowwise() - at.transpose()).rowwise().squaredNorm().minCoeff(&best);
+    out.push_back({d, e, table.uv.row(best).transpose()});
+  }
+  constexpr std::size_t kept = 12;
+  const auto middle = out.begin() + static_cast<std::ptrdiff_t>(std::min(kept, out.size()));
+  std::partial_sort(out.begin(), middle, out.end(), [](const Candidate& a, const Candidate& b) {
+    return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.element < b.element);
+  });
+  out.erase(middle, out.end());
+  return out;
+}
+
+/// Walks to the nearest point of one element: Gauss-Newton steps, kept inside the square, halved
+/// while they lead away.
+Candidate descend(const SubdivisionSpace& space, Candidate c, const Vec3& at) {
+  const LimitSurface surface(space.geometry(), space.mesh().points.span());
+  const Element& e = space.elements()[static_cast<std::size_t>(c.element)];
+  const auto distance2 = [&](const Vec2& uv) {
+    return (surface.position(e.face, e.corner, uv) - at).squaredNorm();
+  };
+  for (int step = 0; step < 50; ++step) {
+    const SurfacePoint p = surface.evaluate(e.face, e.corner, c.uv);
+    if (!p.first) break;  // an extraordinary vertex: the samples already have it
+    Eigen::Matrix<double, 3, 2> A;
+    A << p.first->xu, p.first->xv;
+    Vec2 gradient = A.transpose() * (p.x - at);
+    Mat2 M = A.transpose() * A;
+    for (int i = 0; i < 2; ++i) {  // a direction that is blocked by the border of the square
+      const bool blocked = (c.uv(i) <= 0 && gradient(i) > 0) || (c.uv(i) >= 1 && gradient(i) < 0);
+      if (!blocked) continue;
+      gradient(i) = 0;
+      M.row(i).setZero();
+      M.col(i).setZero();
+      M(i, i) = 1;
+    }
+    Vec2 direction = -M.ldlt().solve(gradient);
+    double scale = 1;
+    Vec2 next = (c.uv + direction).cwiseMax(0.0).cwiseMin(1.0);
+    while (scale > 1e-6 && !(distance2(next) < c.distance2)) {
+      scale /= 2;
+      next = (c.uv + scale * direction).cwiseMax(0.0).cwiseMin(1.0);
+    }
+    if (scale <= 1e-6) break;
+    c = {distance2(next), c.element, next};
+  }
+  return c;
+}
+
+Candidate nearest(const SubdivisionSpace& space, const std::vector<ElementTable>& samples,
+                  const Vec3& at) {
+  Candidate best{std::numeric_limits<double>::infinity(), 0, Vec2::Zero()};
+  for (Candidate c : candidates(space, samples, at)) {
+    const Element& e = space.elements()[static_cast<std::size_t>(c.element)];
+    const LimitSurface surface(space.geometry(), space.mesh().points.span());
+    c.distance2 = (surface.position(e.face, e.corner, c.uv) - at).squaredNorm();
+    c = descend(space, c, at);
+    if (c.distance2 < best.distance2) best = c;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& solution) {
+  std::vector<ProbeResult> out;
+  if (model.problem.probes.empty()) return out;
+  const SubdivisionSpace& space = *model.space;
+  std::vector<Vec2> grid;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i)
+      grid.emplace_back(i / 4.0, j / 4.0);
+  std::vector<ElementTable> samples;
+  for (int s = 0; s < space.num_shapes(); ++s)
+    samples.push_back(space.sample(s, grid));
+  for (const ProbeSettings& p : model.problem.probes) {
+    const Candidate c = nearest(space, samples, p.at);
+    const int shape = space.elements()[static_cast<std::size_t>(c.element)].shape;
+    const PlaneState state =
+        states(model, solution, c.element, space.sample(shape, {c.uv})).front();
+    out.push_back({p.name, p.at, std::sqrt(c.distance2), c.element, c.uv, state});
+  }
+  return out;
+}
+
+}  // namespace limes

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "limes/study/plane_solution.h"
+
+namespace limes {
+
+/// Where a probe landed on the surface, and what is there.
+struct ProbeResult {
+  std::string name;
+  Vec3 at;          ///< asked for
+  double distance;  ///< from there to the surface
+  int element;
+  Vec2 uv;
+  PlaneState state;
+};
+
+/// Evaluates a solution at the nearest points of the surface to the problem's probes.
+[[nodiscard]] std::vector<ProbeResult> probe(const PlaneModel& model,
+                                             const PlaneSolution& solution);
+
+}  // namespace limes

@@ -1,0 +1,60 @@
+#include "limes/study/run.h"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "limes/core/atomic_file.h"
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+
+namespace limes {
+namespace {
+
+/// Times the phases of a run.
+class Phases {
+ public:
+  Phases(const PhaseCallback& on_phase, std::vector<std::pair<std::string, double>>& timings)
+      : on_phase_(on_phase), timings_(timings) {}
+
+  template <class Work>
+  auto operator()(const std::string& name, const Work& work) {
+    check_interrupt();
+    if (on_phase_) on_phase_(name);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = work();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    timings_.emplace_back(name, seconds.count());
+    return result;
+  }
+
+ private:
+  const PhaseCallback& on_phase_;
+  std::vector<std::pair<std::string, double>>& timings_;
+};
+
+}  // namespace
+
+PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
+                        const PhaseCallback& on_phase) {
+  std::vector<std::pair<std::string, double>> timings;
+  Phases phase(on_phase, timings);
+  PlaneResult result{
+      phase("model", [&] { return read_model(problem, options); }), {}, {}, {}, {}, 0};
+  result.solution = phase("solve", [&] { return solve_plane(result.model); });
+  result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
+  result.checks = phase("checks", [&] { return check_solution(result.model, result.solution); });
+  result.timings = std::move(timings);
+  return result;
+}
+
+void write_results(const std::filesystem::path& folder, const PlaneResult& result) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError("{}: cannot be made: {}", folder.string(), error.message());
+  write_result_vtu(folder / "result.vtu", result);
+  write_report(folder / "report.html", result);
+  write_file(folder / "result.json", result_json(result).dump(2) + "\n");
+}
+
+}  // namespace limes

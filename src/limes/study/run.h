@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "limes/study/result_files.h"
+
+namespace limes {
+
+/// Called when a phase of a run begins.
+using PhaseCallback = std::function<void(std::string_view phase)>;
+
+/// Reads, solves, probes and checks a problem.
+[[nodiscard]] PlaneResult run_problem(const Problem& problem, const ModelOptions& options = {},
+                                      const PhaseCallback& on_phase = {});
+
+/// Writes result.json, result.vtu, report.html and its pictures into a folder, which is made if it
+/// is not there. @throws OutputError
+void write_results(const std::filesystem::path& folder, const PlaneResult& result);
+
+}  // namespace limes
