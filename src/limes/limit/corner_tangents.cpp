@@ -46,6 +46,12 @@ OneRing one_ring(const Ring& ring) {
   return out;
 }
 
+/// Subdominant eigenvalue of the Fourier block at angle theta, [stam_1998].
+double block_eigenvalue(double theta) {
+  const double c = std::cos(theta);
+  return (c + 5.0 + std::sqrt((c + 9.0) * (c + 1.0))) / 16.0;
+}
+
 /// Smooth interior vertex of valence n: left eigenvectors of the double subdominant eigenvalue,
 /// [halstead_1993]. For n = 2 the two are the differences of the edge ends and of the face ends.
 TangentRows smooth_tangents(const OneRing& one, int num_controls) {
@@ -59,9 +65,7 @@ TangentRows smooth_tangents(const OneRing& one, int num_controls) {
     return t;
   }
   const double theta = 2.0 * std::numbers::pi / static_cast<double>(n);
-  const double c = std::cos(theta);
-  const double lambda = (c + 5.0 + std::sqrt((c + 9.0) * (c + 1.0))) / 16.0;
-  const double face = 1.0 / (4.0 * lambda - 1.0);
+  const double face = 1.0 / (4.0 * block_eigenvalue(theta) - 1.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double a = theta * static_cast<double>(i);
     t(0, one.edge_ends[i].value) += 4.0 * std::cos(a);
@@ -97,12 +101,17 @@ Sector own_sector(const OneRing& one) {
   return sector;
 }
 
-/// Crease or boundary vertex with k faces on this side: along the crease, and across it by
-/// [biermann_2000] for k > 1. For k = 1 the face's own mode is part of a Jordan block and the
-/// direction into it is that of the two crease edges' mean.
-TangentRows crease_tangents(const Sector& s, int num_controls) {
+/// Crease or boundary vertex with k faces on this side: along the crease, with eigenvalue 1/2, and
+/// across it, with the eigenvalue of the angle pi / k (docs/theory/limit.md derives the weights; the
+/// masks of [biermann_2000] hold for their changed rules, where that eigenvalue is 1/2 too).
+///
+/// For k = 1 the two belong to a Jordan block; the direction into the face is that of the two crease
+/// edges' mean. From k = 5 on the angle 2 pi / k has an eigenvalue above 1/2: normals tend to one
+/// limit along the crease and to another from within, so there is none.
+std::optional<TangentRows> crease_tangents(const Sector& s, int num_controls) {
   TangentRows t = TangentRows::Zero(2, num_controls);
   const std::size_t k = s.face_ends.size();
+  if (k > 4) return {};
   t(0, s.edge_ends.front().value) += 0.5;
   t(0, s.edge_ends.back().value) -= 0.5;
   if (k == 1) {
@@ -112,15 +121,16 @@ TangentRows crease_tangents(const Sector& s, int num_controls) {
     return t;
   }
   const double theta = std::numbers::pi / static_cast<double>(k);
-  const double c = std::cos(theta);
-  const double r = (c + 1.0) / std::sin(theta);
-  t(1, 0) += 4.0 * r * (c - 1.0);
-  t(1, s.edge_ends.front().value) -= r * (1.0 + 2.0 * c);
-  t(1, s.edge_ends.back().value) -= r * (1.0 + 2.0 * c);
+  const double q = 1.0 / (4.0 * block_eigenvalue(theta) - 1.0);
+  const double sum = 1.0 / std::tan(theta / 2.0);  // of sin(i theta), 0 < i < k
+  const double crease = q * (std::sin(theta) * (1.0 + q) - sum * (2.0 + q));
+  t(1, 0) -= 2.0 * crease + sum * (4.0 + 2.0 * q);
+  t(1, s.edge_ends.front().value) += crease;
+  t(1, s.edge_ends.back().value) += crease;
   for (std::size_t i = 0; i < k; ++i) {
     const double a = theta * static_cast<double>(i);
     if (i > 0) t(1, s.edge_ends[i].value) += 4.0 * std::sin(a);
-    t(1, s.face_ends[i].value) += std::sin(a) + std::sin(a + theta);
+    t(1, s.face_ends[i].value) += q * (std::sin(a) + std::sin(a + theta));
   }
   return t;
 }
@@ -192,7 +202,9 @@ std::optional<TangentRows> corner_tangents(const Ring& ring, const SparseMatrix&
       std::count_if(one.edge_sharpness.begin(), one.edge_sharpness.end(), is_sharp) >= 2;
   if (!has_sector) return {};
   const Sector sector = own_sector(one);
-  if (sector.face_ends.size() != 1) return {};
+  // With two faces the mode of the edge between them has the eigenvalue 1/2 too, in a Jordan block
+  // that the crease edges feed: it lies in their plane. With more it is larger, and no plane remains.
+  if (sector.face_ends.size() > 2) return {};
   TangentRows t = TangentRows::Zero(2, num_controls);
   t(0, 0) -= 1.0;
   t(0, sector.edge_ends.front().value) += 1.0;

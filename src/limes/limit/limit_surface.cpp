@@ -29,6 +29,23 @@ SurfacePoint::Curvature curvature(const SurfacePoint::First& d, const SurfacePoi
   return {.mean = -(e * G - 2.0 * f * F + g * E) / (2.0 * area2), .gauss = (e * g - f * f) / area2};
 }
 
+/// Control points of a face, relative to the first: no digits are lost far from the origin.
+struct ControlPoints {
+  ControlPoints(std::span<const VertexId> ids, std::span<const Vec3> points)
+      : origin(points[static_cast<std::size_t>(ids[0].value)]),
+        relative(static_cast<Eigen::Index>(ids.size()), 3) {
+    Eigen::Index row = 0;
+    for (const VertexId v : ids)
+      relative.row(row++) = (points[static_cast<std::size_t>(v.value)] - origin).transpose();
+  }
+  [[nodiscard]] Vec3 position(const BasisAt& basis) const {
+    return relative.transpose() * basis.N + origin;
+  }
+
+  Vec3 origin;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> relative;
+};
+
 }  // namespace
 
 LimitSurface::LimitSurface(const LimitBasis& basis, std::span<const Vec3> points)
@@ -39,38 +56,25 @@ LimitSurface::LimitSurface(const LimitBasis& basis, std::span<const Vec3> points
 Vec3 LimitSurface::position(FaceId f, int corner, const Vec2& uv) const {
   BasisAt basis;
   basis_->evaluate(f, corner, uv, 0, basis);
-  const auto controls = basis_->controls(f);
-  Vec3 x = Vec3::Zero();
-  for (std::size_t i = 0; i < controls.size(); ++i)
-    x += basis.N(static_cast<Eigen::Index>(i)) *
-         points_[static_cast<std::size_t>(controls[i].value)];
-  return x;
+  return ControlPoints(basis_->controls(f), points_).position(basis);
 }
 
 SurfacePoint LimitSurface::evaluate(FaceId f, int corner, const Vec2& uv) const {
   BasisAt basis;
   const LimitBasis::Point kind = basis_->evaluate(f, corner, uv, 2, basis);
-  const auto controls = basis_->controls(f);
-  Eigen::Matrix<double, Eigen::Dynamic, 3> P(static_cast<Eigen::Index>(controls.size()), 3);
-  for (Eigen::Index i = 0; i < P.rows(); ++i)
-    P.row(i) =
-        points_[static_cast<std::size_t>(controls[static_cast<std::size_t>(i)].value)].transpose();
-  // Sums run over differences to the first control point: no digits are lost far from the origin.
-  const Eigen::RowVector3d origin = P.row(0);
-  P.rowwise() -= origin;
-
+  const ControlPoints control(basis_->controls(f), points_);
   SurfacePoint out;
-  out.x = (basis.N.transpose() * P + origin).transpose();
+  out.x = control.position(basis);
   if (kind == LimitBasis::Point::extraordinary) {
     const auto tangents = basis_->tangent_rows(f, corner, uv);
     if (tangents) {
-      const Eigen::Matrix<double, 2, 3> t = *tangents * P;
+      const Eigen::Matrix<double, 2, 3> t = *tangents * control.relative;
       out.normal = unit_normal(t.row(0), t.row(1));
     }
     return out;
   }
-  const Eigen::Matrix<double, 2, 3> d = basis.dN.transpose() * P;
-  const Mat3 dd = basis.ddN.transpose() * P;
+  const Eigen::Matrix<double, 2, 3> d = basis.dN.transpose() * control.relative;
+  const Mat3 dd = basis.ddN.transpose() * control.relative;
   out.first = {d.row(0).transpose(), d.row(1).transpose()};
   out.second = {dd.row(0).transpose(), dd.row(1).transpose(), dd.row(2).transpose()};
   out.normal = unit_normal(out.first->xu, out.first->xv);

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "limes/limit/limit_surface.h"
+#include "limes/subdiv/schemes.h"
+#include "limit/local_refinement.h"
+#include "limit/zoo.h"
+
+// Limit positions against plain refinement, for every kind of feature.
+
+namespace limes::test {
+namespace {
+
+class LimitOf : public testing::TestWithParam<Shape> {};
+
+/// Corners, borders, points close to corner 0 and random ones.
+std::vector<Vec2> sample_points(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.3, 0}, {1, 0.7}};
+  for (const double scale : {1.0, 1.0, 1.0, 1.0, 0.1, 1e-3, 1e-5})
+    points.emplace_back(scale * unit(random), scale * unit(random));
+  return points;
+}
+
+TEST_P(LimitOf, EqualsDeepRefinement) {
+  const Scheme& scheme = find_scheme("catmull-clark");
+  const Model model = make_model(GetParam().mesh, GetParam().boundary);
+  const LimitBasis basis(model.topology, model.features, scheme);
+  const LimitSurface surface(basis, model.points);
+  std::mt19937 random(1998);
+  // Close to a vertex of high valence the control mesh comes near the limit like 0.655^levels only,
+  // elsewhere like 4^-levels.
+  const auto levels = [](const Vec2& uv) {
+    const bool corner = (uv.x() < 1e-2 || uv.x() == 1) && (uv.y() < 1e-2 || uv.y() == 1);
+    return corner ? 76 : 26;
+  };
+  const int num_faces = std::min(6, model.topology.num_faces());
+  for (int f = 0; f < num_faces; ++f) {
+    for (const Vec2& uv : sample_points(random)) {
+      const FaceId face(f);
+      const int corner =
+          static_cast<int>(random() % static_cast<unsigned>(basis.num_quadrants(face)));
+      const Vec3 expected = limit_by_refinement(model, scheme, face, corner, uv, levels(uv));
+      EXPECT_LE((surface.position(face, corner, uv) - expected).norm(), 1e-12)
+          << "face " << f << " corner " << corner << " at " << uv.transpose();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Zoo, LimitOf, testing::ValuesIn(limit_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+
+}  // namespace
+}  // namespace limes::test
