@@ -175,7 +175,7 @@ void LimitBasis::gather_kinds() {
   first_control_.reserve(static_cast<std::size_t>(topology_.num_faces()) + 1);
   first_control_.push_back(0);
   for (int f = 0; f < topology_.num_faces(); ++f) {
-    if (f % 4096 == 0) check_interrupt();
+    if (f % 256 == 0) check_interrupt();
     Ring ring = gather_ring(adjacency_, features_, sharpness, kinds_.scheme(), FaceId(f));
     controls_.insert(controls_.end(), ring.vertices.begin(),
                      ring.vertices.begin() + ring.num_controls);

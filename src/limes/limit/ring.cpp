@@ -1,12 +1,40 @@
 #include "limes/limit/ring.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace limes {
 namespace {
+
+/// Numbers things in the order in which they first appear. Few are looked up one by one, which is
+/// fastest for the usual 16 vertices of a ring; many by hash.
+template <class IdType>
+class Numbering {
+ public:
+  /// The number, and whether it is new.
+  std::pair<int, bool> number(IdType id) {
+    const int next = static_cast<int>(ids_.size());
+    if (next < few) {
+      const auto found = std::find(ids_.begin(), ids_.end(), id);
+      if (found != ids_.end()) return {static_cast<int>(found - ids_.begin()), false};
+    } else {
+      if (next == few)
+        for (int i = 0; i < few; ++i)
+          known_.emplace(ids_[static_cast<std::size_t>(i)].value, i);
+      const auto [it, added] = known_.emplace(id.value, next);
+      if (!added) return {it->second, false};
+    }
+    ids_.push_back(id);
+    return {next, true};
+  }
+  [[nodiscard]] std::vector<IdType>& ids() { return ids_; }
+
+ private:
+  static constexpr int few = 64;
+  std::vector<IdType> ids_;
+  std::unordered_map<std::int32_t, int> known_;  // never iterated
+};
 
 /// Collects faces in walk order, each from a given corner on, and numbers their vertices.
 class RingWalk {
@@ -16,11 +44,11 @@ class RingWalk {
   /// Adds the face of h, starting at h, unless it is there.
   void add_face(HalfedgeId h) {
     const FaceId f = adjacency_.face(h);
-    if (!faces_.insert(f).second) return;
+    if (!faces_.number(f).second) return;
     const int n = adjacency_.topology().face_size(f);
     for (int i = 0; i < n; ++i, h = adjacency_.next(h)) {
       halfedges_.push_back(h);
-      corners_.push_back(local_vertex(adjacency_.from(h)));
+      corners_.emplace_back(vertices_.number(adjacency_.from(h)).first);
     }
     offsets_.push_back(static_cast<int>(corners_.size()));
   }
@@ -40,53 +68,60 @@ class RingWalk {
     }
   }
 
-  [[nodiscard]] int num_faces() const { return static_cast<int>(offsets_.size()) - 1; }
   [[nodiscard]] const std::vector<HalfedgeId>& halfedges() const { return halfedges_; }
-  std::vector<VertexId>& vertices() { return vertices_; }
-  [[nodiscard]] Topology topology() const {
-    return {static_cast<int>(vertices_.size()), offsets_, corners_};
+  std::vector<VertexId>& vertices() { return vertices_.ids(); }
+  [[nodiscard]] Topology topology() {
+    return {static_cast<int>(vertices().size()), offsets_, corners_};
   }
 
  private:
-  VertexId local_vertex(VertexId v) {
-    const auto [it, added] = local_.emplace(v, VertexId(static_cast<int>(vertices_.size())));
-    if (added) vertices_.push_back(v);
-    return it->second;
-  }
-
   const Adjacency& adjacency_;
-  std::set<FaceId> faces_;
-  std::map<VertexId, VertexId> local_;
+  Numbering<FaceId> faces_;
+  Numbering<VertexId> vertices_;
   std::vector<int> offsets_{0};
   std::vector<VertexId> corners_;      // local
   std::vector<HalfedgeId> halfedges_;  // of the large mesh, one per corner
-  std::vector<VertexId> vertices_;
 };
 
-bool has_semi_sharp_edge(const Features& features) {
-  return std::any_of(features.edges.begin(), features.edges.end(),
-                     [](const SharpEdge& e) { return e.sharpness < infinite_sharpness; });
+bool has_semi_sharp_edge(const Adjacency& adjacency, const Sharpness& sharpness,
+                         const std::vector<HalfedgeId>& halfedges) {
+  return std::any_of(halfedges.begin(), halfedges.end(), [&](HalfedgeId h) {
+    const float s = sharpness.edge(adjacency.edge(h));
+    return s > 0 && s < infinite_sharpness;
+  });
 }
 
-/// Sharpness of the local mesh: edges at the local vertices [0, num_complete), whose faces are all
-/// there, and those vertices themselves.
-Features local_features(const Adjacency& large, const Sharpness& sharpness, const Ring& ring,
-                        const std::vector<HalfedgeId>& halfedges, int num_complete) {
-  Features local;
-  const Adjacency adjacency(ring.topology, Adjacency::Check::edges);
-  for (int e = 0; e < adjacency.num_edges(); ++e) {
-    const HalfedgeId h = adjacency.halfedge(EdgeId(e));
-    const bool complete = std::min(adjacency.from(h), adjacency.to(h)).value < num_complete;
-    if (!complete || adjacency.is_boundary(EdgeId(e))) continue;
-    const float s = sharpness.edge(large.edge(halfedges[static_cast<std::size_t>(h.value)]));
+/// Sharp edges inside the local mesh, at the local vertices [0, num_complete), whose faces are all
+/// there. Sharp edges are few: their other side is looked up one by one.
+std::vector<SharpEdge> local_edges(const Adjacency& large, const Sharpness& sharpness,
+                                   const Ring& ring, const std::vector<HalfedgeId>& halfedges,
+                                   int num_complete) {
+  std::vector<SharpEdge> edges;
+  const auto count = static_cast<int>(halfedges.size());
+  for (int i = 0; i < count; ++i) {
+    const HalfedgeId h = halfedges[static_cast<std::size_t>(i)];
+    const HalfedgeId twin = large.twin(h);
+    const float s = twin.valid() ? sharpness.edge(large.edge(h)) : 0.0F;
+    if (s <= 0) continue;
+    const auto found = std::find(halfedges.begin() + i, halfedges.end(), twin);
+    if (found == halfedges.end()) continue;  // done from the other side, or at the ring's rim
+    const VertexId a = ring.topology.corner(HalfedgeId(i));
+    const VertexId b = ring.topology.corner(HalfedgeId(found - halfedges.begin()));
     // All infinite sharpnesses are the same kind.
-    if (s > 0) local.edges.push_back({h, std::min(s, infinite_sharpness)});
+    if (std::min(a, b).value < num_complete)
+      edges.push_back({HalfedgeId(i), std::min(s, infinite_sharpness)});
   }
+  return edges;
+}
+
+std::vector<SharpVertex> local_vertices(const Sharpness& sharpness, const Ring& ring,
+                                        int num_complete) {
+  std::vector<SharpVertex> vertices;
   for (int v = 0; v < num_complete; ++v) {
     const float s = sharpness.vertex(ring.vertices[static_cast<std::size_t>(v)]);
-    if (s > 0) local.vertices.push_back({VertexId(v), std::min(s, infinite_sharpness)});
+    if (s > 0) vertices.push_back({VertexId(v), std::min(s, infinite_sharpness)});
   }
-  return local;
+  return vertices;
 }
 
 }  // namespace
@@ -106,7 +141,7 @@ Ring gather_ring(const Adjacency& adjacency, const Features& features, const Sha
   int num_complete = scheme.reach > 0 ? n : 0;
   // With Chaikin creases the decay along an edge depends on the edges at its far end.
   if (scheme.reach > 0 && features.crease_method == CreaseMethod::chaikin &&
-      has_semi_sharp_edge(features)) {
+      has_semi_sharp_edge(adjacency, sharpness, walk.halfedges())) {
     const std::vector<HalfedgeId> first_ring = walk.halfedges();
     for (const HalfedgeId h : first_ring)
       walk.add_faces_around(h);
@@ -114,7 +149,9 @@ Ring gather_ring(const Adjacency& adjacency, const Features& features, const Sha
   }
   ring.topology = walk.topology();
   ring.vertices = std::move(walk.vertices());
-  ring.features = local_features(adjacency, sharpness, ring, walk.halfedges(), num_complete);
+  if (!features.edges.empty())
+    ring.features.edges = local_edges(adjacency, sharpness, ring, walk.halfedges(), num_complete);
+  ring.features.vertices = local_vertices(sharpness, ring, num_complete);
   ring.features.crease_method = features.crease_method;
   ring.features.smooth_triangles = features.smooth_triangles;
   return ring;
@@ -122,6 +159,9 @@ Ring gather_ring(const Adjacency& adjacency, const Features& features, const Sha
 
 std::string ring_key(const Ring& ring) {
   std::string key;
+  key.reserve(
+      4 * static_cast<std::size_t>(ring.topology.num_corners() + ring.topology.num_faces()) +
+      8 * (ring.features.edges.size() + ring.features.vertices.size()) + 32);
   const auto put = [&](const auto& value) {
     key.append(reinterpret_cast<const char*>(&value), sizeof value);
   };

@@ -89,6 +89,7 @@ void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value
   // Face points first: the other rules read them.
   const auto run = [&](int count, const auto& write) {
     for_each_block(count, 512, [&](std::int64_t begin, std::int64_t end) {
+      check_interrupt();
       NeighbourhoodWalk own_walk = walk();
       Stencil stencil;
       for (std::int64_t i = begin; i < end; ++i) {
