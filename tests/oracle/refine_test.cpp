@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <random>
 
 #include "limes/core/error.h"
+#include "limes/mesh/shapes.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
@@ -151,6 +153,30 @@ TEST_P(OpenSubdivBilinear, ThreeLevelsAgree) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, OpenSubdivBilinear, testing::ValuesIn(manifold_cases("bilinear")),
                          [](const auto& c) { return name_of(c.param); });
+
+/// Every edge and some vertices with a random sharpness: blends of all kinds, far more than the
+/// shapes have.
+TEST(OpenSubdivRandom, SharpnessOfAllKinds) {
+  const std::vector<float> choices{0,    0,    0,    0.1F, 0.3F, 0.5F, 0.8F, 1.0F,
+                                   1.2F, 1.6F, 2.0F, 2.7F, 3.5F, 6.0F, 10.0F};
+  std::mt19937 random(2003);
+  const auto pick = [&] { return choices[random() % choices.size()]; };
+  for (int round = 0; round < 60; ++round) {
+    Mesh mesh = round % 3 == 0   ? shapes::torus(4, 3)
+                : round % 3 == 1 ? shapes::icosahedron()
+                                 : shapes::grid_with_hole(5);
+    mesh.tags.crease_method = round % 2 == 0 ? CreaseMethod::chaikin : CreaseMethod::uniform;
+    const Adjacency adjacency(mesh.topology);
+    for (int e = 0; e < adjacency.num_edges(); ++e) {
+      const HalfedgeId h = adjacency.halfedge(EdgeId(e));
+      mesh.tags.creases.push_back({adjacency.from(h), adjacency.to(h), pick()});
+    }
+    for (int v = 0; v < mesh.topology.num_vertices(); v += 4)
+      mesh.tags.corners.push_back({VertexId(v), pick()});
+    SCOPED_TRACE(round);
+    compare_levels(mesh, find_scheme("catmull-clark"), BoundaryRule::edges);
+  }
+}
 
 /// What is no surface is refused with the name of the culprit.
 TEST(OpenSubdivShapes, RefusesWhatIsNoSurface) {
