@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -20,77 +22,14 @@ namespace limes {
 
 using namespace problem_file;
 
-// clang-format off
 /// A problem that has every key there is.
-inline constexpr std::string_view full = R"(title = "Everything"
-
-[units]
-length = "mm"
-force = "N"
-
-[mesh]
-file = "plate.obj"
-scheme = "linear"
-levels = 2
-placement = "scheme"
-
-[model]
-kind = "plane-strain"
-boundary = "phantom"
-kinks = false
-quadrature_points = 4
-quadrature_depth = 6
-
-[[material]]
-young = 70e3
-poisson = 0.33
-
-[[material]]
-where = "group:stiff"
-young = 210000
-poisson = 0
-thickness = 2.5
-
-[periodic]
-gradient = [[1, 0.05], [0.05, 1.0]]
-
-[[support]]
-where = "x == 0"
-fix = ["ux", "uz"]
-
-[[support]]
-where = "vertex:3"
-fix = ["uy"]
-
-[[load]]
-where = "all"
-force_per_area = [0, "-9.81 * y", 1.5]
-
-[[load]]
-where = "boundary"
-force_per_length = ["x", 2]
-
-[[load]]
-where = "vertex:0"
-force = [1, 2]
-
-[[load]]
-where = "part:left"
-force_per_volume = [0, 0, -1]
-
-[[load]]
-where = "not x == 0"
-pressure = "2 * z"
-
-[[probe]]
-name = "corner"
-at = [1, 2.5]
-
-[[probe]]
-name = "top"
-at = [1, 2, -3]
-)";
-// clang-format on
+inline const std::string& full() {
+  static const std::string text = [] {
+    std::ifstream file(LIMES_TEST_DATA_DIR "/study/full.toml");
+    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }();
+  return text;
+}
 
 inline Problem parse(std::string_view text, const std::vector<std::string>& overrides = {}) {
   return parse_problem(text, "p.toml", overrides);

@@ -14,12 +14,12 @@ namespace {
 
 TEST(Overrides, ChangeAndAddValues) {
   const Problem p =
-      parse(full, {"title=Another", "mesh.levels=5", "mesh.scheme = catmull-clark",
-                   "units.length=m", "material.1.young=2", "periodic.gradient=[[2,0],[0,3]]",
-                   "probe.0.at.1=-7", "periodic.gradient.1.0=0.5", "support.0.where=x == 1",
-                   "load.0.force_per_area=[0,0,-1]", "load.4.pressure=3 * x", "model.kinks=true",
-                   "material.0.thickness=9", "support.1.fix=[\"ux\"]",
-                   "load.1.force_per_length.1=y", "mesh.levels=6"});
+      parse(full(), {"title=Another", "mesh.levels=5", "mesh.scheme = catmull-clark",
+                     "units.length=m", "material.1.young=2", "periodic.gradient=[[2,0],[0,3]]",
+                     "probe.0.at.1=-7", "periodic.gradient.1.0=0.5", "support.0.where=x == 1",
+                     "load.0.force_per_area=[0,0,-1]", "load.4.pressure=3 * x", "model.kinks=true",
+                     "material.0.thickness=9", "support.1.fix=[\"ux\"]",
+                     "load.1.force_per_length.1=y", "mesh.levels=6"});
   EXPECT_EQ(p.title, "Another");
   EXPECT_EQ(p.mesh.levels, 6) << "the last one holds";
   EXPECT_EQ(p.mesh.scheme, "catmull-clark");
@@ -111,7 +111,7 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
       {"title=\xff", "--set ", {"no valid UTF-8"}},
   };
   for (const WrongOverride& w : all)
-    expect_message(message_of<UsageError>(full, {w.text}), w.beginning, w.parts);
+    expect_message(message_of<UsageError>(full(), {w.text}), w.beginning, w.parts);
   expect_message(message_of<UsageError>(Draft().text(), {"probe.0.at=[1, 2]"}),
                  "--set probe.0.at: the file has no [[probe]]", {});
   expect_message(message_of<UsageError>(Draft().text(), {"material.1.young=1"}),
@@ -138,7 +138,7 @@ TEST(Overrides, ValuesThatDoNotFitNameTheOverride) {
       {"title=5", "--set title: ", {"is 5; it must be text"}},
   };
   for (const WrongOverride& w : all)
-    expect_message(message_of<UsageError>(full, {w.text}), w.beginning, w.parts);
+    expect_message(message_of<UsageError>(full(), {w.text}), w.beginning, w.parts);
 }
 
 TEST(Overrides, WhatTheFileSaysWrongStaysTheFilesMistake) {

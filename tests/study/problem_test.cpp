@@ -19,7 +19,7 @@ namespace limes {
 namespace {
 
 TEST(Problem, ReadsEverything) {
-  const Problem p = parse(full);
+  const Problem p = parse(full());
   EXPECT_EQ(p.file, "p.toml");
   EXPECT_EQ(p.title, "Everything");
   EXPECT_EQ(p.units.length, "mm");
@@ -71,7 +71,7 @@ TEST(Problem, ReadsEverything) {
 }
 
 TEST(Problem, ReadsEveryKindOfLoad) {
-  const Problem p = parse(full);
+  const Problem p = parse(full());
   const Vec3 x(3, 5, 7);
   const auto value = [&](std::size_t load) {
     const auto& v = p.loads[load].value;
@@ -313,7 +313,7 @@ class ProblemFile : public testing::Test {
 
 TEST_F(ProblemFile, IsReadFromDisk) {
   const auto file = folder_ / "a.toml";
-  std::ofstream(file) << full;
+  std::ofstream(file) << full();
   EXPECT_EQ(read_problem(file).title, "Everything");
   EXPECT_EQ(read_problem(file).file, file);
   const std::vector<std::string> overrides{"mesh.levels=3"};
