@@ -43,11 +43,13 @@ inline std::ostream& operator<<(std::ostream& out, const RateTable& t) {
   return out;
 }
 
-inline SubdivisionSpace space_on(const Mesh& mesh, int levels, const SpaceOptions& options = {},
-                                 const Kinks& kinks = {}) {
+inline SubdivisionSpace space_on(const Mesh& mesh, int levels, const SpaceOptions& options = {}) {
   const Scheme& scheme = find_scheme("catmull-clark");
   const BoundaryRule boundary = mesh.tags.boundary.value_or(BoundaryRule::edges);
-  return {refine(mesh, scheme, {.levels = levels, .boundary = boundary}), scheme, boundary, kinks,
+  return {refine(mesh, scheme, {.levels = levels, .boundary = boundary}),
+          scheme,
+          boundary,
+          {},
           options};
 }
 

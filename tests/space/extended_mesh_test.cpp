@@ -88,7 +88,7 @@ TEST_P(GhostsKeepTheGeometry, AfterEveryRefinement) {
     const Mesh mesh = refine(c.mesh, scheme, {.levels = level, .boundary = boundary});
     const Adjacency adjacency(mesh.topology);
     const Features features = resolve_tags(adjacency, mesh.tags, boundary);
-    const ExtendedMesh extended = with_ghosts(adjacency, features, {}, mesh.points.span());
+    const ExtendedMesh extended = with_ghosts(adjacency, features, mesh.points.span());
     if (level == 2) {
       EXPECT_EQ(int(extended.standard_vertices.size()), c.standard);
     }

@@ -51,26 +51,30 @@ std::array<Eigen::RowVectorXd, 4> spline_of_side(const PatchGrid& D, int c) {
 }
 
 /// The spline of a side, if the face is one regular patch.
-std::optional<std::vector<ConstraintRow>> regular_side(const SubdivisionSpace& space,
-                                                       HalfedgeId h) {
+std::optional<std::vector<ConstraintRow>> regular_side(const SubdivisionSpace& space, HalfedgeId h,
+                                                       int region) {
   const LimitBasis& field = space.field();
   const FaceId f = field.adjacency().face(h);
   const auto& patch = field.kinds()[field.kind(f)].patch;
   if (!patch) return {};
   std::vector<ConstraintRow> rows;
-  const std::vector<int> dofs = space.face_dofs(f);
+  const std::vector<int> dofs = space.face_dofs(f, region);
   for (const Eigen::RowVectorXd& w : spline_of_side(*patch, field.adjacency().corner_index(h)))
     rows.push_back(row_of(dofs, w));
   return rows;
 }
 
-ConstraintRow value_at_side(const SubdivisionSpace& space, HalfedgeId h, double s) {
+int region_of(const SubdivisionSpace& space, HalfedgeId h) {
+  return space.region(space.field().adjacency().face(h));
+}
+
+ConstraintRow value_at_side(const SubdivisionSpace& space, HalfedgeId h, double s, int region) {
   const LimitBasis& field = space.field();
   const FaceId f = field.adjacency().face(h);
   const SidePoint p = side_point(field, h, s);
   BasisAt basis;
   field.evaluate(f, p.corner, p.uv, 0, basis);
-  return row_of(space.face_dofs(f), basis.N);
+  return row_of(space.face_dofs(f, region), basis.N);
 }
 
 /// Enough points to determine a function that is cubic on the pieces of a side: pieces shrink
@@ -140,16 +144,17 @@ SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s) {
 }
 
 std::vector<ConstraintRow> trace_of_side(const SubdivisionSpace& space, HalfedgeId h) {
-  if (auto rows = regular_side(space, h)) return *rows;
+  const int region = region_of(space, h);
+  if (auto rows = regular_side(space, h, region)) return *rows;
   std::vector<ConstraintRow> rows;
   for (const double s : points_of_side())
-    rows.push_back(value_at_side(space, h, s));
+    rows.push_back(value_at_side(space, h, s, region));
   return independent(rows);
 }
 
 std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a, HalfedgeId b) {
-  auto rows = regular_side(space, a);
-  const auto other = regular_side(space, b);
+  auto rows = regular_side(space, a, region_of(space, a));
+  const auto other = regular_side(space, b, region_of(space, b));
   if (rows && other) {
     for (std::size_t k = 0; k < 4; ++k)
       add_to((*rows)[k], (*other)[3 - k], -1.0);
@@ -157,17 +162,36 @@ std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeI
   }
   std::vector<ConstraintRow> samples;
   for (const double s : points_of_side()) {
-    samples.push_back(value_at_side(space, a, s));
-    add_to(samples.back(), value_at_side(space, b, 1.0 - s), -1.0);
+    samples.push_back(value_at_side(space, a, s, region_of(space, a)));
+    add_to(samples.back(), value_at_side(space, b, 1.0 - s, region_of(space, b)), -1.0);
   }
   return independent(samples);
+}
+
+std::vector<ConstraintRow> continuity(const SubdivisionSpace& space) {
+  const Adjacency& adjacency = space.geometry().adjacency();
+  std::vector<bool> has_element(static_cast<std::size_t>(space.mesh().topology.num_faces()), false);
+  for (const Element& e : space.elements())
+    has_element[static_cast<std::size_t>(e.face.value)] = true;
+  const auto side = [&](HalfedgeId h) {
+    return h.valid() && has_element[static_cast<std::size_t>(adjacency.face(h).value)];
+  };
+  std::vector<ConstraintRow> rows;
+  for (int e = 0; e < adjacency.num_edges(); ++e) {
+    const HalfedgeId h = adjacency.halfedge(EdgeId(e));
+    const HalfedgeId twin = adjacency.twin(h);
+    if (!side(h) || !side(twin) || region_of(space, h) == region_of(space, twin)) continue;
+    for (ConstraintRow& row : tie_of_sides(space, h, twin))
+      rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v) {
   // The control mesh's own ring start: its halfedges are those of the field's mesh.
   const HalfedgeId h = space.geometry().adjacency().ring_start(v);
   LIMES_ASSERT(h.valid());
-  return value_at_side(space, h, 0.0);
+  return value_at_side(space, h, 0.0, region_of(space, h));
 }
 
 }  // namespace limes

@@ -20,6 +20,10 @@ struct SidePoint {
 /// @param h  halfedge of the control mesh whose face has an element
 [[nodiscard]] std::vector<ConstraintRow> trace_of_side(const SubdivisionSpace& space, HalfedgeId h);
 
+/// Constraints that make a field continuous between regions: equal values on both sides of every edge
+/// where they meet.
+[[nodiscard]] std::vector<ConstraintRow> continuity(const SubdivisionSpace& space);
+
 /// Functionals that vanish together if and only if the field has equal values at the points of two
 /// sides, the second run through backwards (s on the one is 1 - s on the other).
 [[nodiscard]] std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a,

@@ -49,12 +49,12 @@ bool continues_as_grid(const Adjacency& control, HalfedgeId out, std::span<const
 
 }  // namespace
 
-BoundaryTypes::BoundaryTypes(const Adjacency& control, const Sharpness& geometry,
-                             const Sharpness& field, std::span<const Vec3> points) {
+BoundaryTypes::BoundaryTypes(const Adjacency& control, const Sharpness& sharpness,
+                             std::span<const Vec3> points) {
   collect(control);
   for (BoundaryVertex& b : vertices_) {
-    b.sharpness = geometry.vertex(b.vertex);
-    b.type = type_alone(control, field, b, points);
+    b.sharpness = sharpness.vertex(b.vertex);
+    b.type = type_alone(control, sharpness, b, points);
   }
   settle();
 }
@@ -78,10 +78,10 @@ void BoundaryTypes::collect(const Adjacency& control) {
   }
 }
 
-GhostType BoundaryTypes::type_alone(const Adjacency& control, const Sharpness& field,
+GhostType BoundaryTypes::type_alone(const Adjacency& control, const Sharpness& sharpness,
                                     const BoundaryVertex& b, std::span<const Vec3> points) const {
   if (!all_quads_around(control, b.vertex)) return GhostType::standard;
-  const float inner = inner_sharpness(control, field, b.out);
+  const float inner = inner_sharpness(control, sharpness, b.out);
   switch (control.num_ring_faces(b.vertex)) {
     case 1:
       return is_infinite(b.sharpness) ? GhostType::corner : GhostType::standard;

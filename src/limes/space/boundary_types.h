@@ -11,7 +11,7 @@ namespace limes {
 /// What the ghost ring does at a boundary vertex.
 enum class GhostType {
   side,        ///< 2 faces: one ghost beyond the vertex
-  crease_end,  ///< the same, and a sharp edge of the field runs on into the ghosts
+  crease_end,  ///< the same, and a sharp edge runs on into the ghosts
   corner,      ///< 1 face, sharp: two ghosts beside it and one diagonally beyond
   reentrant,   ///< 3 faces, sharp: one ghost face between the two boundary edges
   standard     ///< not made regular; one ghost that no element feels
@@ -28,10 +28,7 @@ struct BoundaryVertex {
 /// The boundary of a mesh, vertex by vertex; what the ghosts do is decided for all of them together.
 class BoundaryTypes {
  public:
-  /// @param features  of the geometry
-  /// @param field     sharpness of the field: the geometry's and the kinks
-  BoundaryTypes(const Adjacency& control, const Sharpness& geometry, const Sharpness& field,
-                std::span<const Vec3> points);
+  BoundaryTypes(const Adjacency& control, const Sharpness& sharpness, std::span<const Vec3> points);
 
   [[nodiscard]] const std::vector<BoundaryVertex>& vertices() const { return vertices_; }
   /// Index in vertices() of the one before or after along the boundary.
@@ -51,7 +48,7 @@ class BoundaryTypes {
   }
   [[nodiscard]] bool is_standard(int i) const { return at(i).type == GhostType::standard; }
   void collect(const Adjacency& control);
-  [[nodiscard]] GhostType type_alone(const Adjacency& control, const Sharpness& field,
+  [[nodiscard]] GhostType type_alone(const Adjacency& control, const Sharpness& sharpness,
                                      const BoundaryVertex& b, std::span<const Vec3> points) const;
   void settle();
 

@@ -9,35 +9,15 @@
 namespace limes {
 namespace {
 
-/// The geometry's sharpness and the kinks, which are infinitely sharp.
-Features field_features(const Adjacency& control, Features features, const Kinks& kinks) {
-  for (const HalfedgeId h : kinks)
-    if (control.twin(h).valid())
-      features.edges.push_back({control.halfedge(control.edge(h)), infinite_sharpness});
-  std::stable_sort(features.edges.begin(), features.edges.end(),
-                   [](const SharpEdge& a, const SharpEdge& b) { return a.halfedge < b.halfedge; });
-  // Twice: the larger sharpness counts.
-  std::vector<SharpEdge> merged;
-  for (const SharpEdge& e : features.edges) {
-    if (!merged.empty() && merged.back().halfedge == e.halfedge)
-      merged.back().sharpness = std::max(merged.back().sharpness, e.sharpness);
-    else
-      merged.push_back(e);
-  }
-  features.edges = std::move(merged);
-  return features;
-}
-
 using Sources = std::vector<std::pair<VertexId, double>>;
 
 /// Adds the ghost ring to a control mesh.
 class GhostRing {
  public:
-  GhostRing(const Adjacency& control, const Features& features, const Kinks& kinks,
-            std::span<const Vec3> points)
+  GhostRing(const Adjacency& control, const Features& features, std::span<const Vec3> points)
       : control_(control),
-        field_(field_features(control, features, kinks)),
-        types_(control, Sharpness(control, features), Sharpness(control, field_), points),
+        features_(features),
+        types_(control, Sharpness(control, features), points),
         ghost_(types_.vertices().size()) {}
 
   ExtendedMesh build() {
@@ -164,9 +144,9 @@ class GhostRing {
   }
 
   /// Sharpness of the field: inside as given; along the boundary where functions stay standard;
-  /// across it where a kink runs out.
+  /// across it where a crease runs out.
   [[nodiscard]] Tags tags() const {
-    Tags tags = tags_of(control_, field_);
+    Tags tags = tags_of(control_, features_);
     std::vector<bool> regular(static_cast<std::size_t>(control_.topology().num_vertices()), false);
     for (int i = 0; i < num_boundary(); ++i) {
       const BoundaryVertex& b = at(i);
@@ -185,7 +165,7 @@ class GhostRing {
   }
 
   const Adjacency& control_;
-  Features field_;
+  const Features& features_;
   BoundaryTypes types_;
   std::vector<Ghosts> ghost_;
   std::vector<Sources> sources_;
@@ -205,19 +185,18 @@ std::vector<Vec3> ExtendedMesh::continued(std::span<const Vec3> control) const {
   return out;
 }
 
-ExtendedMesh without_ghosts(const Adjacency& control, const Features& features,
-                            const Kinks& kinks) {
+ExtendedMesh without_ghosts(const Adjacency& control, const Features& features) {
   ExtendedMesh out;
   out.topology = control.topology();
-  out.features = field_features(control, features, kinks);
+  out.features = features;
   out.num_control_vertices = control.topology().num_vertices();
   out.num_control_faces = control.topology().num_faces();
   return out;
 }
 
-ExtendedMesh with_ghosts(const Adjacency& control, const Features& features, const Kinks& kinks,
+ExtendedMesh with_ghosts(const Adjacency& control, const Features& features,
                          std::span<const Vec3> points) {
-  return GhostRing(control, features, kinks, points).build();
+  return GhostRing(control, features, points).build();
 }
 
 }  // namespace limes

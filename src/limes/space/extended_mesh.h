@@ -42,18 +42,14 @@ struct ExtendedMesh {
   [[nodiscard]] std::vector<Vec3> continued(std::span<const Vec3> control) const;
 };
 
-/// Edges, as halfedges of the control mesh, across which the field may kink.
-using Kinks = std::vector<HalfedgeId>;
-
 /// The field's mesh without ghosts: the control mesh itself ("phantom" boundary, the standard
 /// functions of the scheme everywhere).
-[[nodiscard]] ExtendedMesh without_ghosts(const Adjacency& control, const Features& features,
-                                          const Kinks& kinks);
+[[nodiscard]] ExtendedMesh without_ghosts(const Adjacency& control, const Features& features);
 
 /// The field's mesh with free ghosts.
 /// @param points  control points; a re-entrant corner is made regular only if they are continued
 ///                exactly by the regular functions there
 [[nodiscard]] ExtendedMesh with_ghosts(const Adjacency& control, const Features& features,
-                                       const Kinks& kinks, std::span<const Vec3> points);
+                                       std::span<const Vec3> points);
 
 }  // namespace limes

@@ -1,5 +1,6 @@
 #include "limes/space/subdivision_space.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "limes/core/interrupt.h"
@@ -17,13 +18,13 @@ std::vector<bool> hole_faces(const Mesh& mesh) {
 }  // namespace
 
 SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary,
-                                   const Kinks& kinks, const SpaceOptions& options)
-    : mesh_(std::move(mesh)), quadrature_(options.quadrature) {
+                                   std::vector<int> regions, const SpaceOptions& options)
+    : mesh_(std::move(mesh)), quadrature_(options.quadrature), regions_(std::move(regions)) {
   const Adjacency adjacency(mesh_.topology);
   const Features features = resolve_tags(adjacency, mesh_.tags, boundary);
   const bool ghosts = options.ghosts && scheme.reach > 0;  // no use for functions without reach
-  extended_ = ghosts ? with_ghosts(adjacency, features, kinks, mesh_.points.span())
-                     : without_ghosts(adjacency, features, kinks);
+  extended_ = ghosts ? with_ghosts(adjacency, features, mesh_.points.span())
+                     : without_ghosts(adjacency, features);
   geometry_ = std::make_unique<LimitBasis>(mesh_.topology, features, scheme);
   field_ = std::make_unique<LimitBasis>(extended_.topology, extended_.features, scheme);
   add_elements();
@@ -49,20 +50,26 @@ void SubdivisionSpace::add_elements() {
 }
 
 void SubdivisionSpace::number_dofs() {
-  std::vector<bool> felt(static_cast<std::size_t>(extended_.topology.num_vertices()), false);
+  const int num_regions =
+      regions_.empty() ? 1 : *std::max_element(regions_.begin(), regions_.end()) + 1;
+  const auto num_vertices = static_cast<std::size_t>(extended_.topology.num_vertices());
+  dof_.assign(static_cast<std::size_t>(num_regions), IdArray<VertexId, int>(num_vertices, -1));
+  const auto of_region = [&](const Element& e) -> IdArray<VertexId, int>& {
+    return dof_[static_cast<std::size_t>(region(e.face))];
+  };
   for (const Element& e : elements_) {
     const auto controls = field_->controls(e.face);
     for (const int a : table(e.shape).active)
-      felt[static_cast<std::size_t>(controls[static_cast<std::size_t>(a)].value)] = true;
+      of_region(e)[controls[static_cast<std::size_t>(a)]] = 0;
   }
-  dof_.resize(felt.size(), -1);
-  for (std::size_t v = 0; v < felt.size(); ++v)
-    if (felt[v]) dof_[VertexId(static_cast<std::int64_t>(v))] = num_dofs_++;
+  for (IdArray<VertexId, int>& numbers : dof_)
+    for (int& number : numbers)
+      if (number == 0) number = num_dofs_++;
   first_dof_.push_back(0);
   for (const Element& e : elements_) {
     const auto controls = field_->controls(e.face);
     for (const int a : table(e.shape).active)
-      element_dofs_.push_back(dof_[controls[static_cast<std::size_t>(a)]]);
+      element_dofs_.push_back(of_region(e)[controls[static_cast<std::size_t>(a)]]);
     first_dof_.push_back(static_cast<std::int64_t>(element_dofs_.size()));
   }
 }
@@ -90,19 +97,20 @@ std::vector<ParameterTile> SubdivisionSpace::tiles(int shape, int depth) const {
   return element_tiles(shape_of(first_of_shape(shape)), depth);
 }
 
-std::vector<int> SubdivisionSpace::face_dofs(FaceId face) const {
+std::vector<int> SubdivisionSpace::face_dofs(FaceId face, int region) const {
   std::vector<int> out;
   for (const VertexId v : field_->controls(face))
-    out.push_back(dof_[v]);
+    out.push_back(dof_[static_cast<std::size_t>(region)][v]);
   return out;
 }
 
 Eigen::Matrix<double, Eigen::Dynamic, 3> SubdivisionSpace::position_coefficients() const {
   const std::vector<Vec3> x = extended_.continued(mesh_.points.span());
   Eigen::Matrix<double, Eigen::Dynamic, 3> out(num_dofs_, 3);
-  for (int v = 0; v < dof_.size(); ++v)
-    if (dof_[VertexId(v)] >= 0)
-      out.row(dof_[VertexId(v)]) = x[static_cast<std::size_t>(v)].transpose();
+  for (const IdArray<VertexId, int>& numbers : dof_)
+    for (int v = 0; v < numbers.size(); ++v)
+      if (numbers[VertexId(v)] >= 0)
+        out.row(numbers[VertexId(v)]) = x[static_cast<std::size_t>(v)].transpose();
   return out;
 }
 

@@ -25,17 +25,21 @@ struct SpaceOptions {
 };
 
 /// The limit functions of a subdivision surface as a function space: a list of elements, each with
-/// its degrees of freedom and its basis functions. One scalar degree of freedom per vertex of the
-/// extended mesh that some element feels; vector fields use the same numbers per component.
+/// its degrees of freedom and its basis functions. One scalar degree of freedom per region and vertex
+/// of the extended mesh that some element of the region feels; vector fields use the same numbers
+/// per component.
 ///
-/// The geometry is the limit surface of the control mesh, whatever the field does.
+/// Regions are sets of faces, such as those of one material, between which a field is continuous but
+/// may kink. Each region has copies of its own of all functions it feels, those of vertices beyond
+/// its border included; continuity() ties the copies along the borders. So every region has free
+/// ghosts at its borders and the geometry, which is smooth there, stays in the space.
 class SubdivisionSpace {
  public:
   /// @param mesh      control mesh; hole faces shape their neighbours but are no elements
   /// @param boundary  rule of the geometry, not `none` (tag the faces at the boundary as holes)
-  /// @param kinks     edges across which the field may kink
+  /// @param regions   region of every face, from 0; empty: one region
   /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
-  SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, const Kinks& kinks,
+  SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, std::vector<int> regions,
                    const SpaceOptions& options);
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -64,13 +68,17 @@ class SubdivisionSpace {
   /// Tiles on which all functions of a shape are polynomials, see element_tiles.
   [[nodiscard]] std::vector<ParameterTile> tiles(int shape, int depth) const;
 
-  /// Degree of freedom of a vertex of the extended mesh, -1 if no element feels it.
-  [[nodiscard]] int dof(VertexId v) const { return dof_[v]; }
-  /// The same for all controls of a face, in the order of field().controls(face).
-  [[nodiscard]] std::vector<int> face_dofs(FaceId face) const;
+  [[nodiscard]] int region(FaceId face) const {
+    return regions_.empty() ? 0 : regions_[static_cast<std::size_t>(face.value)];
+  }
+  /// Degrees of freedom of a region for all controls of a face, in the order of
+  /// field().controls(face); -1 where the region does not feel a control.
+  [[nodiscard]] std::vector<int> face_dofs(FaceId face, int region) const;
+  [[nodiscard]] std::vector<int> face_dofs(FaceId face) const {
+    return face_dofs(face, region(face));
+  }
 
-  /// Coefficients of the field x -> position of the geometry, (num_dofs, 3). Exact unless the field
-  /// may kink where the geometry is smooth.
+  /// Coefficients of the field x -> position of the geometry, (num_dofs, 3). Exact.
   [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 3> position_coefficients() const;
 
  private:
@@ -90,7 +98,8 @@ class SubdivisionSpace {
   std::vector<Element> elements_;
   std::vector<ElementTable> tables_;
   std::vector<int> first_of_shape_;  // an element of each shape
-  IdArray<VertexId, int> dof_;
+  std::vector<int> regions_;
+  std::vector<IdArray<VertexId, int>> dof_;  // per region, -1 where a vertex is not felt
   int num_dofs_ = 0;
   std::vector<std::int64_t> first_dof_;
   std::vector<int> element_dofs_;

@@ -7,6 +7,7 @@
 #include "limes/core/error.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/space/boundary_trace.h"
+#include "limes/study/supports.h"
 
 namespace limes {
 namespace {
@@ -123,12 +124,8 @@ PeriodicCell find_periodic_cell(const PlaneModel& model) {
 std::vector<ConstraintRow> periodic_constraints(const PlaneModel& model, const PeriodicCell& cell) {
   std::vector<ConstraintRow> rows;
   for (const PeriodicCell::Pair& pair : cell.pairs)
-    for (const ConstraintRow& scalar : tie_of_sides(*model.space, pair.low, pair.high))
-      for (int i = 0; i < 2; ++i) {
-        rows.emplace_back();
-        for (const auto& [dof, weight] : scalar)
-          rows.back().emplace_back(2 * dof + i, weight);
-      }
+    for (ConstraintRow& row : on_both_components(tie_of_sides(*model.space, pair.low, pair.high)))
+      rows.push_back(std::move(row));
   const int pinned = model.space->dofs(0)[0];
   rows.push_back({{2 * pinned, 1.0}});
   rows.push_back({{2 * pinned + 1, 1.0}});

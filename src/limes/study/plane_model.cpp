@@ -64,21 +64,6 @@ std::vector<int> materials_of_faces(const PlaneModel& model, const Mesh& mesh,
   return material;
 }
 
-/// Edges between faces of different materials.
-Kinks material_borders(const Adjacency& adjacency, const std::vector<int>& material) {
-  Kinks kinks;
-  for (int e = 0; e < adjacency.num_edges(); ++e) {
-    const HalfedgeId h = adjacency.halfedge(EdgeId(e));
-    const HalfedgeId twin = adjacency.twin(h);
-    if (!twin.valid()) continue;
-    const auto of = [&](HalfedgeId side) {
-      return material[static_cast<std::size_t>(adjacency.face(side).value)];
-    };
-    if (of(h) != of(twin)) kinks.push_back(h);
-  }
-  return kinks;
-}
-
 /// Limit points of the vertices, and the size of the box around them; all in one plane z = const.
 void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& model) {
   model.limit_points = limit_positions(LimitSurface(basis, mesh.points.span()), mesh.points.span());
@@ -135,9 +120,12 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
   set_limit_points(mesh, basis, model);
 
   const std::vector<int> material = materials_of_faces(model, mesh, adjacency);
-  const Kinks kinks = problem.model.kinks ? material_borders(adjacency, material) : Kinks();
+  std::vector<int> regions;
+  if (problem.model.kinks)
+    for (const int m : material)
+      regions.push_back(std::max(m, 0));
   model.space = std::make_unique<SubdivisionSpace>(
-      std::move(mesh), scheme, model.boundary, kinks,
+      std::move(mesh), scheme, model.boundary, std::move(regions),
       SpaceOptions{problem.model.boundary == FieldBoundary::free,
                    {problem.model.quadrature_points, problem.model.quadrature_depth}});
   require_unfolded(*model.space);

@@ -3,12 +3,21 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/solve/linear.h"
+#include "limes/space/boundary_trace.h"
 #include "limes/study/periodic_cell.h"
 #include "limes/study/plane_loads.h"
 #include "limes/study/supports.h"
 
 namespace limes {
 namespace {
+
+/// Conditions between the regions of the space first, then those of the problem.
+std::vector<ConstraintRow> with_continuity(const PlaneModel& model,
+                                           const std::vector<ConstraintRow>& rows) {
+  std::vector<ConstraintRow> all = on_both_components(continuity(*model.space));
+  all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
 
 /// The system after elimination.
 struct Reduced {
@@ -81,12 +90,13 @@ void require_no_supports(const Problem& problem) {
 PlaneSolution solve_supported(const PlaneModel& model) {
   PlaneSolution solution;
   const Constraints constraints = support_constraints(model);
-  require_no_rigid_motion(model, constraints.rows);
+  const std::vector<ConstraintRow> rows = with_continuity(model, constraints.rows);
+  require_no_rigid_motion(model, rows);
   const VectorX f = assemble_loads(model);
   check_interrupt();
   const SparseMatrix K = elasticity_matrix(*model.space, model.C);
   check_interrupt();
-  solution.u = solve_reduced(K, constraints.rows, f, solution);
+  solution.u = solve_reduced(K, rows, f, solution);
   const VectorX internal = K * solution.u;
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   const auto x = model.space->position_coefficients();
@@ -101,7 +111,7 @@ PlaneSolution solve_periodic(const PlaneModel& model) {
   PlaneSolution solution;
   const PeriodicCell cell = find_periodic_cell(model);
   const double volume = cell.area() * thickness_of_cell(model);
-  const std::vector<ConstraintRow> rows = periodic_constraints(model, cell);
+  const std::vector<ConstraintRow> rows = with_continuity(model, periodic_constraints(model, cell));
   require_no_rigid_motion(model, rows);
   check_interrupt();
   const SparseMatrix K = elasticity_matrix(*model.space, model.C);

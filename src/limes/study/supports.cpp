@@ -37,6 +37,14 @@ std::vector<ConstraintRow> held(const PlaneModel& model, const Selection& chosen
 
 }  // namespace
 
+std::vector<ConstraintRow> on_both_components(const std::vector<ConstraintRow>& scalar) {
+  std::vector<ConstraintRow> rows;
+  for (const ConstraintRow& row : scalar)
+    for (int i = 0; i < 2; ++i)
+      rows.push_back(on_component(row, i));
+  return rows;
+}
+
 Constraints support_constraints(const PlaneModel& model) {
   const Problem& problem = model.problem;
   Constraints out;

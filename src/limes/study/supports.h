@@ -18,6 +18,10 @@ struct Constraints {
   std::vector<Source> sources;
 };
 
+/// The same condition on both components of a vector field.
+[[nodiscard]] std::vector<ConstraintRow> on_both_components(
+    const std::vector<ConstraintRow>& scalar);
+
 /// Supports of a problem: boundary sides both of whose ends are selected are held along their whole
 /// length, other selected vertices at their limit points.
 /// @throws InputError for an empty selection or a component that plane models do not have
