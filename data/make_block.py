@@ -2,7 +2,8 @@
 """Writes the two control meshes of the periodic block of material with holes and stiff grains.
 
 block.obj            holes and grains set into a face with a ring of four quads: all extraordinary
-                     vertices (valence 5) are inside, boundaries are regular
+                     vertices are inside, boundaries are regular; a grain has a ring of its own, so
+                     that its border is a smooth curve of regular vertices
 block_cut.obj        the same holes cut out as whole faces: extraordinary vertices on the boundary
 
 usage: make_block.py [FOLDER]      FOLDER default: the script's own
@@ -13,7 +14,7 @@ import sys
 
 N = 6                                      # faces along each side of the unit cell
 HOLES = {(1, 1): 0.62, (4, 2): 0.5, (2, 4): 0.55}
-GRAINS = {(1, 3): 0.55, (4, 4): 0.66, (3, 1): 0.5}
+GRAINS = {(1, 3): 0.6, (4, 4): 0.7, (3, 1): 0.6}
 
 
 def grid_point(i, j):
@@ -46,6 +47,14 @@ class Block:
             self.points.append(tuple(c + scale * (p - c) for c, p in zip(centre, self.points[v])))
         return inner
 
+    def ring(self, group, outer, scale):
+        """Four quads between a face and a smaller copy, which is returned."""
+        inner = self.inset(outer, scale)
+        for k in range(4):
+            n = (k + 1) % 4
+            self.faces[group].append([outer[k], outer[n], inner[n], inner[k]])
+        return inner
+
     def add_face(self, i, j, cut):
         outer = self.corners(i, j)
         if (i, j) in HOLES and cut:
@@ -54,12 +63,9 @@ class Block:
         if not scale:
             self.faces['matrix'].append(outer)
             return
-        inner = self.inset(outer, scale)
-        for k in range(4):
-            n = (k + 1) % 4
-            self.faces['matrix'].append([outer[k], outer[n], inner[n], inner[k]])
+        border = self.ring('matrix', outer, scale)
         if (i, j) in GRAINS:
-            self.faces['grain'].append(inner)
+            self.faces['grain'].append(self.ring('grain', border, 0.6))
 
     def write(self, path, what):
         lines = [f'# {what}', '# made by make_block.py; CC0-1.0']

@@ -10,6 +10,7 @@
 #include "limes/mesh/defects.h"
 #include "limes/mesh/repair.h"
 #include "limes/study/selection.h"
+#include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
@@ -21,17 +22,13 @@ std::filesystem::path mesh_path(const Problem& problem) {
   return file.is_absolute() ? file : problem.file.parent_path() / file;
 }
 
-/// BoundaryRule::none: the faces at the boundary only shape the others, as holes do.
+/// BoundaryRule::none: the faces that refinement would leave out only shape the others, as holes do.
 void drop_boundary_faces(PlaneModel& model) {
   const Topology& t = model.control.topology;
-  const Adjacency adjacency(t);
+  const std::vector<bool> drop = unsupported_faces(Adjacency(t), model.control.tags);
   std::vector<FaceId>& holes = model.control.tags.holes;
-  for (int f = 0; f < t.num_faces(); ++f) {
-    const auto corners = t.face(FaceId(f));
-    if (std::any_of(corners.begin(), corners.end(),
-                    [&](VertexId v) { return adjacency.is_boundary(v); }))
-      holes.emplace_back(f);
-  }
+  for (int f = 0; f < t.num_faces(); ++f)
+    if (drop[static_cast<std::size_t>(f)]) holes.emplace_back(f);
   std::sort(holes.begin(), holes.end());
   holes.erase(std::unique(holes.begin(), holes.end()), holes.end());
   model.boundary = BoundaryRule::edges;
