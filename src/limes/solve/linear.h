@@ -7,20 +7,25 @@
 
 namespace limes {
 
-/// Cholesky factorisation of a sparse symmetric positive definite matrix: CHOLMOD supernodal where
+/// Cholesky factorisation of a sparse symmetric positive semidefinite matrix: CHOLMOD supernodal where
 /// limes was built with it, Eigen's simplicial LDLT otherwise. Same input, same bits for any number
 /// of threads.
+///
+/// Unknowns that no equation feels are harmless: the functions of a region next to a border can be
+/// linearly dependent (at an extraordinary vertex of valence 3, see docs/theory/space.md). The factor
+/// is that of K + 1e-12 diag(K); iterative refinement with K itself takes the shift out again.
 class DirectSolver {
  public:
-  /// @throws SolverError if the matrix is not positive definite to rounding
+  /// @throws SolverError if the matrix is not positive semidefinite to rounding
   explicit DirectSolver(const SparseMatrix& K);
   DirectSolver(DirectSolver&&) noexcept;
   DirectSolver& operator=(DirectSolver&&) noexcept;
   ~DirectSolver();
 
-  /// K x = f for one or several right-hand sides; one step of iterative refinement.
+  /// A solution of K x = f for one or several right-hand sides.
+  /// @throws SolverError if there is none: the relative residual stays above 1e-8
   [[nodiscard]] MatrixX solve(const MatrixX& f) const;
-  /// |K x - f| / |f| of the last solve, the largest over the right-hand sides.
+  /// |K x - f| / |f|, the largest over the right-hand sides.
   [[nodiscard]] double relative_residual(const MatrixX& x, const MatrixX& f) const;
 
   /// Name of the method, for reports.

@@ -62,7 +62,7 @@ void use_row(const ConstraintRow& row, double tolerance, Substitution& substitut
   if (pivot == left.end()) return;  // follows from the others
   ConstraintRow by;
   for (const auto& [dof, weight] : left)
-    if (dof != pivot->first && std::abs(weight) > smallest)
+    if (dof != pivot->first && std::abs(weight) > 1e-14 * std::abs(pivot->second))
       by.emplace_back(dof, -weight / pivot->second);
   substitution.determine(pivot->first, std::move(by));
 }
@@ -74,14 +74,16 @@ Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows, doub
   for (const ConstraintRow& row : rows)
     use_row(row, tolerance, substitution);
   Elimination out;
-  int num_free = 0;
-  for (int i = 0; i < num_dofs; ++i)
-    out.free_number.push_back(substitution.determined(i) ? -1 : num_free++);
+  for (int i = 0; i < num_dofs; ++i) {
+    const bool free = !substitution.determined(i);
+    out.free_number.push_back(free ? static_cast<int>(out.dof_of_free.size()) : -1);
+    if (free) out.dof_of_free.push_back(i);
+  }
   std::vector<Triplet> entries;
   for (int i = 0; i < num_dofs; ++i)
     for (const auto& [dof, weight] : substitution.resolved({{i, 1.0}}))
       entries.emplace_back(i, out.free_number[static_cast<std::size_t>(dof)], weight);
-  out.T.resize(num_dofs, num_free);
+  out.T.resize(num_dofs, static_cast<Eigen::Index>(out.dof_of_free.size()));
   out.T.setFromTriplets(entries.begin(), entries.end());
   return out;
 }

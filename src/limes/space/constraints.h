@@ -16,12 +16,16 @@ struct Elimination {
   /// Number of each unconstrained dof among the free ones, -1 for those the constraints determine.
   std::vector<int> free_number;
 
+  std::vector<int> dof_of_free;  ///< the other way around
+
   [[nodiscard]] int num_free() const { return static_cast<int>(T.cols()); }
+  [[nodiscard]] int unknown(int free) const { return dof_of_free[static_cast<std::size_t>(free)]; }
 };
 
 /// Eliminates one degree of freedom per independent constraint, always the one with the largest
 /// weight. Constraints that follow from earlier ones are recognised and left out.
-/// @param tolerance  relative to a row's largest weight: what is smaller after substitution is 0
+/// @param tolerance  a row all of whose weights are smaller after substitution, relative to its largest
+///                   weight before, follows from the others
 [[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows,
                                     double tolerance = 1e-6);
 

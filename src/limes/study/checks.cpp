@@ -47,16 +47,13 @@ double deeper_area(const PlaneModel& model) {
   return area;
 }
 
-/// Forces relative to the largest that acts, moments to that force times the model's size.
+/// Forces relative to the sum of what acts, moments to that times the model's size.
 void add_equilibrium(const PlaneModel& model, const PlaneSolution& solution,
                      std::vector<SolutionCheck>& checks) {
   PlaneResultant sum = solution.loads;
-  double scale = solution.loads.head<2>().norm();
-  for (const PlaneSolution::Reaction& r : solution.reactions) {
+  for (const PlaneSolution::Reaction& r : solution.reactions)
     sum += r.force;
-    scale = std::max(scale, r.force.head<2>().norm());
-  }
-  if (scale == 0) scale = 1;
+  const double scale = solution.load_size > 0 ? solution.load_size : 1.0;
   checks.push_back({"equilibrium of forces", sum.head<2>().norm() / scale, 1e-8});
   checks.push_back({"equilibrium of moments", std::abs(sum(2)) / (scale * model.diagonal), 1e-8});
 }

@@ -13,7 +13,7 @@ class LoadAssembler {
       : model_(model),
         load_(load),
         chosen_(model.mesh(), model.adjacency(), model.limit_points.span(), load.where,
-                model.problem.file.string(), load.line) {}
+                model.problem.file.string(), load.where_line) {}
 
   VectorX assemble() {
     if (load_.kind != LoadKind::pressure && !load_.value[2].is_zero())

@@ -47,7 +47,7 @@ std::vector<int> materials_of_faces(const PlaneModel& model, const Mesh& mesh,
       continue;
     }
     const Selection chosen(mesh, adjacency, model.limit_points.span(), *settings.where,
-                           problem.file.string(), settings.line);
+                           problem.file.string(), settings.where_line);
     for (const FaceId f : chosen.faces()) {
       int& of_face = material[static_cast<std::size_t>(f.value)];
       if (of_face >= 0)

@@ -47,19 +47,23 @@ PlaneResultant resultant_of(const VectorX& f, int dof,
   return {force.x(), force.y(), x(dof, 0) * force.y() - x(dof, 1) * force.x()};
 }
 
-/// Splits the residual K u - f, which only constrained unknowns have, among the supports; what two
-/// supports share goes to the first.
-void set_reactions(const Constraints& constraints, const VectorX& residual,
-                   const Eigen::Matrix<double, Eigen::Dynamic, 3>& x, PlaneSolution& solution) {
-  std::vector<bool> taken(static_cast<std::size_t>(residual.size()), false);
+/// Splits the residual K u - f among the supports; what two supports share goes to the first.
+/// Forces that only hold the regions of the space together are taken out before: what is left acts on
+/// the unknowns that continuity leaves free, and only where supports hold them.
+void set_reactions(const PlaneModel& model, const Constraints& constraints, const VectorX& residual,
+                   PlaneSolution& solution) {
+  const auto x = model.space->position_coefficients();
+  const Elimination continuous =
+      eliminate(static_cast<int>(residual.size()), on_both_components(continuity(*model.space)));
+  VectorX open = continuous.T.transpose() * residual;
   for (const Constraints::Source& source : constraints.sources) {
     VectorX own = VectorX::Zero(residual.size());
     for (int r = source.first; r < source.last; ++r)
-      for (const auto& [unknown, weight] : constraints.rows[static_cast<std::size_t>(r)]) {
-        if (taken[static_cast<std::size_t>(unknown)]) continue;
-        taken[static_cast<std::size_t>(unknown)] = true;
-        own(unknown) = residual(unknown);
-      }
+      for (const auto& [unknown, weight] : constraints.rows[static_cast<std::size_t>(r)])
+        for (SparseMatrix::InnerIterator it(continuous.T, unknown); it; ++it) {
+          own(continuous.unknown(static_cast<int>(it.col()))) += open(it.col());
+          open(it.col()) = 0;
+        }
     PlaneResultant sum = PlaneResultant::Zero();
     for (int a = 0; a < residual.size() / 2; ++a)
       sum += resultant_of(own, a, x);
@@ -100,9 +104,10 @@ PlaneSolution solve_supported(const PlaneModel& model) {
   const VectorX internal = K * solution.u;
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   const auto x = model.space->position_coefficients();
+  solution.load_size = f.lpNorm<1>();
   for (int a = 0; a < model.space->num_dofs(); ++a)
     solution.loads += resultant_of(f, a, x);
-  set_reactions(constraints, internal - f, x, solution);
+  set_reactions(model, constraints, internal - f, solution);
   return solution;
 }
 

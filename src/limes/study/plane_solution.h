@@ -18,6 +18,7 @@ struct PlaneSolution {
   double strain_energy = 0;    ///< of the modelled part
   double solver_residual = 0;  ///< relative
   PlaneResultant loads = PlaneResultant::Zero();
+  double load_size = 0;  ///< sum of the magnitudes of all nodal loads
   struct Reaction {
     std::string where;  ///< of the support
     PlaneResultant force;

@@ -53,7 +53,7 @@ Constraints support_constraints(const PlaneModel& model) {
       throw InputError("{}:{}: plane models have no uz; fix ux, uy or both", problem.file.string(),
                        support.line);
     const Selection chosen(model.mesh(), model.adjacency(), model.limit_points.span(),
-                           support.where, problem.file.string(), support.line);
+                           support.where, problem.file.string(), support.where_line);
     const std::vector<ConstraintRow> rows = held(model, chosen);
     const int first = static_cast<int>(out.rows.size());
     for (int i = 0; i < 2; ++i)
