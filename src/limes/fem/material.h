@@ -16,6 +16,7 @@ struct Isotropic {
 [[nodiscard]] Mat3 plane_elasticity_matrix(const Isotropic& material, PlaneAssumption model);
 
 /// Von Mises stress from stresses in Voigt order; in plane strain with sigma_zz = nu (xx + yy).
-[[nodiscard]] double von_mises(const Vec3& stress, const Isotropic& material, PlaneAssumption model);
+[[nodiscard]] double von_mises(const Vec3& stress, const Isotropic& material,
+                               PlaneAssumption model);
 
 }  // namespace limes
