@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "limes/core/error.h"
+#include "limes/report/legend.h"
 #include "limes/report/ticks.h"
 
 namespace limes {
 namespace {
 
-constexpr double margin = 16;
-constexpr TextStyle title_style{.size = 17, .bold = true};
-constexpr TextStyle label_style{.size = 13};
-constexpr TextStyle caption_style{.size = 13, .colour = palette::muted};
-constexpr double line_height = 1.45;
-constexpr double bold_width = 1.1;  // bold type of a viewer's font is wider than our font
+using figure_style::bold_width;
+using figure_style::line_height;
+using figure_style::margin;
+constexpr const TextStyle& title_style = figure_style::title;
+constexpr const TextStyle& label_style = figure_style::label;
+constexpr const TextStyle& caption_style = figure_style::caption;
 
 constexpr double bar_width = 16;
 constexpr double bar_gap = 24;
@@ -35,7 +36,9 @@ class FigureLayout {
     }
     image_corner_ = {margin, y};
     y += std::max(image_size_[1], figure.bar ? bar_heading_height() + 120 : 0.0);
-    lay_out_legend(y);
+    legend_y_ = y;
+    legend_.emplace(figure.legend, content_width());
+    y += legend_->height();
     if (!figure.caption.empty()) {
       caption_lines_ = wrap_text(figure.caption, caption_style.size, content_width());
       caption_y_ = y + 10 + caption_style.size;
@@ -51,8 +54,7 @@ class FigureLayout {
     draw_lines(canvas, title_lines_, title_y_, title_style);
     canvas.image(image_corner_, image_size_, figure_.image);
     if (figure_.bar) draw_bar(canvas, *figure_.bar);
-    for (std::size_t i = 0; i < figure_.legend.size(); ++i)
-      draw_legend_entry(canvas, figure_.legend[i], legend_at_[i]);
+    legend_->draw(canvas, {margin, legend_y_});
     draw_lines(canvas, caption_lines_, caption_y_, caption_style);
   }
 
@@ -80,26 +82,6 @@ class FigureLayout {
     width_ = std::ceil(std::max(width_, 300.0));
   }
 
-  /// Entries side by side, next line when full.
-  void lay_out_legend(double& y) {
-    if (figure_.legend.empty()) return;
-    constexpr double swatch = 26;
-    constexpr double gap = 22;
-    const double row = label_style.size * line_height + 4;
-    double x = margin;
-    y += 12;
-    for (const LegendEntry& entry : figure_.legend) {
-      const double width = swatch + 1.12 * text_width(entry.label, label_style.size);
-      if (x > margin && x + width > width_ - margin) {
-        x = margin;
-        y += row;
-      }
-      legend_at_.emplace_back(x, y);
-      x += width + gap;
-    }
-    y += row;
-  }
-
   void draw_lines(Canvas& canvas, const std::vector<std::string>& lines, double y,
                   const TextStyle& style) const {
     for (const std::string& line : lines) {
@@ -109,7 +91,6 @@ class FigureLayout {
   }
 
   void draw_bar(Canvas& canvas, const ColourBar& bar) const;
-  void draw_legend_entry(Canvas& canvas, const LegendEntry& entry, const Vec2& at) const;
 
   const Figure& figure_;
   double width_ = 0, height_ = 0;
@@ -117,7 +98,8 @@ class FigureLayout {
   double title_y_ = 0, caption_y_ = 0;
   Vec2 image_corner_, image_size_;
   Ticks ticks_;
-  std::vector<Vec2> legend_at_;
+  std::optional<LegendLayout> legend_;
+  double legend_y_ = 0;
 };
 
 /// The colours from high (top) to low, one row per pixel at twice the figure's resolution.
@@ -157,27 +139,6 @@ void FigureLayout::draw_bar(Canvas& canvas, const ColourBar& bar) const {
     canvas.line({left + bar_width, y}, {left + bar_width + 4, y}, outline);
     canvas.text({left + bar_width + 8, y + 0.36 * label_style.size}, ticks_.labels[i], label_style);
   }
-}
-
-void FigureLayout::draw_legend_entry(Canvas& canvas, const LegendEntry& entry,
-                                     const Vec2& at) const {
-  constexpr double width = 18;
-  constexpr double height = 13;
-  const Vec2 middle = at + Vec2(width / 2, height / 2);
-  const Stroke edge{palette::ink, 1};
-  switch (entry.kind) {
-    case LegendEntry::Kind::area:
-      canvas.rectangle(at, {width, height}, {entry.colour, edge});
-      break;
-    case LegendEntry::Kind::line:
-      canvas.line(middle - Vec2(width / 2, 0), middle + Vec2(width / 2, 0),
-                  {entry.colour, entry.width});
-      break;
-    case LegendEntry::Kind::marker:
-      draw_marker(canvas, middle, entry.shape, 10, {entry.colour, Stroke{palette::ink, 1.4}});
-      break;
-  }
-  canvas.text({at[0] + width + 8, middle[1] + 0.36 * label_style.size}, entry.label, label_style);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct LegendEntry {
   Colour colour = palette::clay;  ///< of the area, the line, the marker's inside
   MarkerShape shape = MarkerShape::disc;
   double width = 1.6;  ///< of the line
+
+  friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
 /// A rendered image with all that explains it.
