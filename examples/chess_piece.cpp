@@ -21,6 +21,7 @@ namespace {
 using namespace limes;
 
 constexpr int steps = 3;  // of subdivision, before points and normals are taken from the limit
+constexpr BoundaryRule boundary = BoundaryRule::edges;
 
 /// Flat faces and their edges.
 Scene control_mesh_scene(const Mesh& mesh) {
@@ -38,7 +39,6 @@ Scene control_mesh_scene(const Mesh& mesh) {
 /// has corners of its own: at an infinitely sharp edge the faces beside it have different normals.
 Surface limit_surface(const Mesh& mesh) {
   const Scheme& scheme = find_scheme("catmull-clark");
-  const BoundaryRule boundary = mesh.tags.boundary.value_or(BoundaryRule::edges);
   const Mesh fine = refine(mesh, scheme, {steps, boundary});
   const LimitBasis basis(fine.topology, resolve_tags(Adjacency(fine.topology), fine.tags, boundary),
                          scheme);
