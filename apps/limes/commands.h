@@ -10,6 +10,9 @@ namespace limes::app {
 #define LIMES_COMMANDS(X) \
   X(info)                 \
   X(refine)               \
+  X(coarsen)              \
+  X(limit)                \
+  X(evaluate)             \
   X(solve)                \
   X(schemes)              \
   X(formats)

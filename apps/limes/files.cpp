@@ -46,7 +46,8 @@ void save_mesh(const fs::path& file, const Mesh& mesh) {
 
 void check_output(const fs::path& file, const std::vector<std::string>& extensions) {
   const std::string extension = to_lower(file.extension().string());
-  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+  if (!extensions.empty() &&
+      std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
     throw UsageError("--output: {} does not end in {}", quote(file.string()),
                      fmt::join(extensions, ", "));
   std::error_code ignored;

@@ -17,10 +17,11 @@ namespace limes::app {
 /// Writes a mesh and says on standard error what the format could not keep.
 void save_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
-/// Fails now rather than after the work: wrong extension, no such folder.
-/// @param extensions  those that are right, each with its dot
+/// Fails now rather than after the work: no such folder, wrong extension.
+/// @param extensions  those that are right, each with its dot; none: any
 /// @throws UsageError, OutputError
-void check_output(const std::filesystem::path& file, const std::vector<std::string>& extensions);
+void check_output(const std::filesystem::path& file,
+                  const std::vector<std::string>& extensions = {});
 /// The same for a file that holds a mesh.
 void check_mesh_output(const std::filesystem::path& file);
 

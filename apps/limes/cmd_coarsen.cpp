@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "files.h"
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+#include "limes/subdiv/coarsen.h"
+#include "memory.h"
+#include "run.h"
+#include "terminal.h"
+
+namespace limes::app {
+namespace {
+
+struct CoarsenCommand {
+  MeshOptions mesh;
+  std::filesystem::path output;
+  RunOptions run;
+  std::string tolerance = "1e-6";
+
+  void operator()() const;
+};
+
+CoarsenResult coarsened(const Mesh& mesh, double tolerance, const std::string& file) {
+  const Progress progress(fmt::format("coarsening {}", file));
+  try {
+    return coarsen_catmull_clark(mesh, {.tolerance = tolerance});
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", file, error.what());
+  }
+}
+
+void CoarsenCommand::operator()() const {
+  const Run current(run);
+  const double relative = parse_positive("--tolerance", tolerance);
+  check_mesh_output(output);
+  const std::string file = mesh.file.string();
+  const CoarsenResult result = coarsened(load_refinable_mesh(mesh), relative, file);
+  for (const std::string& sentence : result.remarks)
+    remark(fmt::format("{}: {}", file, sentence));
+  check_interrupt();
+  save_mesh(output, result.mesh);
+
+  const int vertices = result.mesh.topology.num_vertices();
+  const int faces = result.mesh.topology.num_faces();
+  if (run.json)
+    print_object({{"vertices", vertices},
+                  {"faces", faces},
+                  {"residual", result.residual},
+                  {"seconds", current.seconds()},
+                  {"peak_memory", peak_memory()}});
+  else
+    print(fmt::format("{}: {} vertices, {} faces; refined again it is {:.2g} away\n",
+                      output.string(), vertices, faces, result.residual));
+}
+
+}  // namespace
+
+void add_coarsen(CLI::App& program) {
+  const auto command = std::make_shared<CoarsenCommand>();
+  CLI::App& app = *program.add_subcommand("coarsen", "Undo one step of Catmull-Clark");
+  add_output_option(app, command->output, "Mesh to write: .obj, .off, .ply, .stl or .vtu");
+  add_mesh_options(app, command->mesh);
+  app.add_option("--tolerance", command->tolerance,
+                 "Largest distance from a refined mesh, as part of the\ndiagonal [1e-6]")
+      ->option_text("T")
+      ->group(work_group);
+  add_run_options(app, command->run);
+  app.footer(
+      "Vertices and faces may be numbered in any way. A mesh that no step of Catmull-Clark makes "
+      "is\n"
+      "refused, and so is one whose coarse mesh is not unique, as a refined cube.\n\n"
+      "  limes coarsen fine.obj -o coarse.obj");
+  app.final_callback([command] { (*command)(); });
+}
+
+}  // namespace limes::app

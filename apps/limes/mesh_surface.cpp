@@ -1,0 +1,32 @@
+#include "mesh_surface.h"
+
+#include <utility>
+
+#include "boundary_faces.h"
+#include "limes/core/error.h"
+
+namespace limes::app {
+namespace {
+
+Features features_of(const Mesh& mesh, const SchemeChoice& choice) {
+  return resolve_tags(Adjacency(mesh.topology), mesh.tags, choice.boundary_for(mesh));
+}
+
+const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
+  if (scheme.patch == LimitPatch::none)
+    throw InputError("{}: {} has no polynomial limit; its surface cannot be evaluated exactly",
+                     file, scheme.name);
+  return scheme;
+}
+
+}  // namespace
+
+MeshSurface::MeshSurface(Mesh mesh, const SchemeChoice& choice, std::string_view file)
+    : mesh_(std::move(mesh)),
+      basis_(mesh_.topology, features_of(mesh_, choice), require_limit(*choice.scheme, file)),
+      surface_(basis_, mesh_.points.span()) {
+  if (choice.boundary_for(mesh_) == BoundaryRule::none)
+    dropped_ = boundary_faces(basis_.adjacency());
+}
+
+}  // namespace limes::app
