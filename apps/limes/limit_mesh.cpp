@@ -1,11 +1,27 @@
 #include "limit_mesh.h"
 
-#include <utility>
+#include <cstdint>
 
-#include "boundary_faces.h"
 #include "limes/limit/limit_surface.h"
+#include "limes/subdiv/drop_faces.h"
 
 namespace limes::app {
+namespace {
+
+/// The marks of faces handed down to their children after some quadrisections.
+std::vector<bool> children_of_marked(const Topology& topology, const std::vector<bool>& marked,
+                                     int levels) {
+  if (levels == 0) return marked;
+  const std::int64_t per_corner = std::int64_t{1} << (2 * (levels - 1));
+  std::vector<bool> result;
+  for (int f = 0; f < topology.num_faces(); ++f)
+    result.insert(result.end(),
+                  static_cast<std::size_t>(topology.face_size(FaceId(f)) * per_corner),
+                  marked[static_cast<std::size_t>(f)]);
+  return result;
+}
+
+}  // namespace
 
 Mesh limit_mesh(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   // With BoundaryRule::none the faces at the boundary shape the limit of the others, so they are
@@ -13,27 +29,12 @@ Mesh limit_mesh(const Mesh& mesh, const Scheme& scheme, const RefineOptions& opt
   const bool drop = options.boundary == BoundaryRule::none;
   const BoundaryRule rule = drop ? BoundaryRule::edges : options.boundary;
   Mesh fine = refine(mesh, scheme, {options.levels, rule});
-  const Adjacency adjacency(fine.topology);
-  const LimitBasis basis(fine.topology, resolve_tags(adjacency, fine.tags, rule), scheme);
-  IdArray<VertexId, Vec3> limits =
-      limit_positions(LimitSurface(basis, fine.points.span()), fine.points.span());
-  if (!drop) {
-    fine.points = std::move(limits);
-    return fine;
-  }
-  // refine() keeps the order of what is left.
-  Mesh kept = refine(mesh, scheme, options);
-  const std::vector<bool> at_boundary =
-      children_of_marked(mesh.topology, boundary_faces(Adjacency(mesh.topology)), options.levels);
-  int face = 0;
-  for (int f = 0; f < fine.topology.num_faces(); ++f) {
-    if (at_boundary[static_cast<std::size_t>(f)]) continue;
-    const auto from = fine.topology.face(FaceId(f));
-    const auto to = kept.topology.face(FaceId(face++));
-    for (std::size_t i = 0; i < from.size(); ++i)
-      kept.points[to[i]] = limits[from[i]];
-  }
-  return kept;
+  const LimitBasis basis(fine.topology, resolve_tags(Adjacency(fine.topology), fine.tags, rule),
+                         scheme);
+  fine.points = limit_positions(LimitSurface(basis, fine.points.span()), fine.points.span());
+  if (!drop) return fine;
+  const std::vector<bool> unsupported = unsupported_faces(Adjacency(mesh.topology), mesh.tags);
+  return without_faces(fine, children_of_marked(mesh.topology, unsupported, options.levels));
 }
 
 }  // namespace limes::app

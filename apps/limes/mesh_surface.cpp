@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "boundary_faces.h"
 #include "limes/core/error.h"
+#include "limes/subdiv/drop_faces.h"
 
 namespace limes::app {
 namespace {
@@ -26,7 +26,7 @@ MeshSurface::MeshSurface(Mesh mesh, const SchemeChoice& choice, std::string_view
       basis_(mesh_.topology, features_of(mesh_, choice), require_limit(*choice.scheme, file)),
       surface_(basis_, mesh_.points.span()) {
   if (choice.boundary_for(mesh_) == BoundaryRule::none)
-    dropped_ = boundary_faces(basis_.adjacency());
+    dropped_ = unsupported_faces(basis_.adjacency(), mesh_.tags);
 }
 
 }  // namespace limes::app
