@@ -11,6 +11,7 @@
 #include "help.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
+#include "memory.h"
 #include "terminal.h"
 
 namespace {
@@ -80,6 +81,8 @@ int main(int argc, char** argv) {
   } catch (const OutputError& error) {
     return fail(cannot_write, error.what());
   } catch (const Interrupted& error) {
+    if (app::memory_limit_exceeded())
+      return fail(bad_input, "stopped at the memory limit; raise --memory-limit or work on less");
     return fail(interrupted, error.what());
   } catch (const std::bad_alloc&) {
     return fail(bad_input,

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <limits>
 
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/core/text.h"
 
 namespace limes::app {
@@ -23,12 +26,14 @@ std::int64_t read_number(const char* path) {
   return file >> value ? value : unknown;
 }
 
-std::int64_t free_in_machine() {
-  std::ifstream file("/proc/meminfo");
-  std::string key, rest;
-  std::int64_t kilobytes = 0;
-  while (file >> key >> kilobytes && std::getline(file, rest))
-    if (key == "MemAvailable:") return kilobytes * 1024;
+/// A line "KEY  1234 kB" of a file below /proc, in bytes.
+std::int64_t read_entry(const char* path, std::string_view key) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::string_view rest = line;
+    if (next_token(rest) != key) continue;
+    if (const auto kilobytes = parse_integer(next_token(rest))) return *kilobytes * 1024;
+  }
   return unknown;
 }
 
@@ -52,7 +57,7 @@ std::int64_t peak_memory() {
 }
 
 std::int64_t free_memory() {
-  return std::min(free_in_machine(), free_in_control_group());
+  return std::min(read_entry("/proc/meminfo", "MemAvailable:"), free_in_control_group());
 }
 
 std::int64_t parse_size(std::string_view text) {
@@ -82,12 +87,35 @@ std::string format_size(double bytes) {
   return fmt::format("{:.{}f} {}", bytes, unit == 0 || bytes >= 100 ? 0 : 1, units[unit]);
 }
 
-void limit_memory(std::int64_t bytes) {
-  // Data, not address space: threads reserve far more addresses than they use.
-  rlimit limit{};
-  getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(static_cast<rlim_t>(bytes), limit.rlim_max);
-  setrlimit(RLIMIT_DATA, &limit);
+namespace {
+std::atomic<bool> limit_exceeded{false};
+}  // namespace
+
+bool memory_limit_exceeded() {
+  return limit_exceeded.load();
+}
+
+MemoryWatch::MemoryWatch(std::int64_t limit) : thread_([this, limit] { watch(limit); }) {}
+
+MemoryWatch::~MemoryWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+  }
+  stop_.notify_one();
+  thread_.join();
+}
+
+void MemoryWatch::watch(std::int64_t limit) {
+  constexpr std::chrono::milliseconds period(20);
+  std::unique_lock lock(mutex_);
+  while (!stop_.wait_for(lock, period, [this] { return stopped_; })) {
+    const std::int64_t used = read_entry("/proc/self/status", "VmRSS:");
+    if (used == unknown || used <= limit) continue;
+    limit_exceeded.store(true);
+    request_interrupt();
+    return;
+  }
 }
 
 }  // namespace limes::app

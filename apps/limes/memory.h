@@ -1,8 +1,11 @@
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace limes::app {
 
@@ -18,7 +21,25 @@ namespace limes::app {
 /// "1.4 GiB"
 [[nodiscard]] std::string format_size(double bytes);
 
-/// Allocations beyond this fail with std::bad_alloc, as far as the system can count them.
-void limit_memory(std::int64_t bytes);
+/// Stops the work, as an interrupt does, once the process has more memory than it may. (A limit of
+/// the system would not do: libraries reserve buffers that they never touch, and some of them wait
+/// forever when they get none.)
+class MemoryWatch {
+ public:
+  explicit MemoryWatch(std::int64_t limit);
+  ~MemoryWatch();
+  MemoryWatch(const MemoryWatch&) = delete;
+  MemoryWatch& operator=(const MemoryWatch&) = delete;
+
+ private:
+  void watch(std::int64_t limit);
+
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopped_ = false;
+  std::thread thread_;
+};
+/// Whether a watch has stopped the work.
+[[nodiscard]] bool memory_limit_exceeded();
 
 }  // namespace limes::app

@@ -4,8 +4,6 @@
 #include <tbb/global_control.h>
 #endif
 
-#include "memory.h"
-
 namespace limes::app {
 #ifdef LIMES_WITH_TBB
 struct Run::Threads {
@@ -25,7 +23,7 @@ Run::Run(const RunOptions& options)
     threads_ = std::make_unique<Threads>(parse_whole_number("--threads", options.threads, 1));
   if (options.memory_limit.empty()) return;
   memory_limit_ = parse_size(options.memory_limit);
-  limit_memory(memory_limit_);
+  watch_ = std::make_unique<MemoryWatch>(memory_limit_);
 }
 
 Run::~Run() = default;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "memory.h"
 #include "options.h"
 
 namespace limes::app {
@@ -24,6 +25,7 @@ class Run {
  private:
   struct Threads;
   std::unique_ptr<Threads> threads_;
+  std::unique_ptr<MemoryWatch> watch_;
   std::int64_t memory_limit_;
   std::chrono::steady_clock::time_point start_;
 };

@@ -12,6 +12,7 @@ namespace limes {
 namespace {
 
 constexpr int max_depth = 40;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The cubic Lagrange polynomials of the nodes 0, 1/3, 2/3, 1.
@@ -22,8 +23,8 @@ std::array<double, 4> lagrange(double t) {
 
 /// Where cells are compared with the surface, in both directions: between the nodes, and close to
 /// the borders, where the polynomial near an extraordinary vertex is worst.
-constexpr std::array<double, 5> sample_parameters{1.0 / 24.0, 1.0 / 6.0, 0.5, 5.0 / 6.0,
-                                                  23.0 / 24.0};
+constexpr std::array<double, 9> sample_parameters{
+    0.5, 1.0 / 9.0, 8.0 / 9.0, 2.0 / 9.0, 7.0 / 9.0, 1.0 / 24.0, 23.0 / 24.0, 0.0, 1.0};
 
 /// Converts one face.
 class FaceCells {
@@ -52,8 +53,9 @@ class FaceCells {
     const RingKind& kind = surface_.basis().kinds()[step.kind];
     cell.exact = kind.patch.has_value();
     if (!cell.exact) {
-      cell.deviation = deviation(cell);
-      if (cell.deviation > tolerance_ && step.depth < max_depth) return split(step, kind, cell);
+      const bool can_split = step.depth < max_depth;
+      cell.deviation = deviation(cell, can_split ? tolerance_ : infinity);
+      if (can_split && cell.deviation > tolerance_) return split(step, kind, cell);
     }
     append(cell);
   }
@@ -75,7 +77,8 @@ class FaceCells {
     return cell.origin + cell.size * Vec2(s, t);
   }
 
-  [[nodiscard]] double deviation(const CurvedCells::Cell& cell) const {
+  /// Stops once it is larger than `enough`.
+  [[nodiscard]] double deviation(const CurvedCells::Cell& cell, double enough) const {
     std::array<Vec3, CurvedCells::nodes_per_cell> nodes;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       nodes[k] = surface_.position(face_, cell.corner, node(cell, k));
@@ -88,6 +91,7 @@ class FaceCells {
         for (std::size_t k = 0; k < nodes.size(); ++k)
           x += along_u[k % 4] * along_v[k / 4] * nodes[k];
         largest = std::max(largest, x.norm());
+        if (largest > enough) return largest;
       }
     }
     return largest;

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "limes/io/io.h"
+
+namespace limes::test {
+namespace {
+
+TEST(Coarsen, UndoesRefineOnFiles) {
+  const TempFolder folder;
+  for (const char* name : {"torus.obj", "rook.obj", "pawn.obj"}) {
+    ASSERT_EQ(run_limes({"refine", data_file(name), "-o", folder / "fine.obj", "--scheme",
+                         "catmull-clark", "--levels", "1"})
+                  .exit_code,
+              0);
+    const Result result =
+        run_limes({"coarsen", folder / "fine.obj", "-o", folder / "back.obj", "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Mesh want = read_mesh(data_file(name)).mesh;
+    const Mesh got = read_mesh(folder / "back.obj").mesh;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["vertices"], want.topology.num_vertices());
+    EXPECT_EQ(json["faces"], want.topology.num_faces());
+    EXPECT_LT(json["residual"], 1e-12);
+    ASSERT_EQ(got.topology, want.topology) << name;
+    EXPECT_EQ(got.tags.creases.size(), want.tags.creases.size()) << name;
+    for (int v = 0; v < want.points.size(); ++v)
+      ASSERT_LT((got.points[VertexId(v)] - want.points[VertexId(v)]).norm(), 1e-12) << name;
+  }
+}
+
+TEST(Coarsen, RefusesWhatIsNotRefined) {
+  const TempFolder folder;
+  expect_failure(run_limes({"coarsen", data_file("pawn.obj"), "-o", folder / "x.obj"}), 3,
+                 "pawn.obj: face 0 and those around it are not refined: ");
+  expect_failure(run_limes({"coarsen", data_file("rook.obj"), "-o", folder / "x.obj"}), 3,
+                 "leaves quads only");
+  expect_failure(run_limes({"coarsen", data_file("torus.obj"), "-o", folder / "x.obj"}), 3,
+                 "not a refined mesh: vertex ");
+  expect_failure(
+      run_limes({"coarsen", data_file("torus.obj"), "-o", folder / "x.obj", "--tolerance", "-1"}),
+      2, "--tolerance");
+  EXPECT_TRUE(folder.list().empty());
+}
+
+}  // namespace
+}  // namespace limes::test
