@@ -100,10 +100,10 @@ INSTANTIATE_TEST_SUITE_P(
     Shapes, HeldSides,
     ::testing::Values(Case{"grid", testing::grid(3, 3, [](const Vec2& p) { return p; }), 1e-12},
                       Case{"rounded", rounded(testing::grid(3, 3, [](const Vec2& p) { return p; })),
-                           1e-5},
-                      Case{"hole_and_step", ring_without_faces(false), 1e-5},
-                      Case{"sharp_step", ring_without_faces(true), 1e-5},
-                      Case{"cell", testing::CircleCell(16, 2, false).mesh(), 1e-5}),
+                           1e-9},
+                      Case{"hole_and_step", ring_without_faces(false), 1e-9},
+                      Case{"sharp_step", ring_without_faces(true), 1e-9},
+                      Case{"cell", testing::CircleCell(16, 2, false).mesh(), 1e-9}),
     [](const auto& i) { return i.param.name; });
 
 // Fields of two regions have equal values on both sides of their border, and are not forced to more:

@@ -22,11 +22,9 @@ struct Elimination {
   [[nodiscard]] int unknown(int free) const { return dof_of_free[static_cast<std::size_t>(free)]; }
 };
 
-/// Eliminates one degree of freedom per independent constraint, always the one with the largest
-/// weight. Constraints that follow from earlier ones are recognised and left out.
-/// @param tolerance  a row all of whose weights are smaller after substitution, relative to its largest
-///                   weight before, follows from the others
-[[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows,
-                                    double tolerance = 1e-6);
+/// Eliminates one degree of freedom per independent constraint. Constraints that share dofs are treated
+/// together, by QR with pivoting as long as they are some thousand; those that follow from others are
+/// recognised and left out.
+[[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows);
 
 }  // namespace limes
