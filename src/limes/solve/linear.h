@@ -23,7 +23,8 @@ class DirectSolver {
   ~DirectSolver();
 
   /// A solution of K x = f for one or several right-hand sides.
-  /// @throws SolverError if there is none: the relative residual stays above 1e-8
+  /// @throws SolverError if there is none: the relative residual stays above 1e-8 and above what
+  ///         rounding explains
   [[nodiscard]] MatrixX solve(const MatrixX& f) const;
   /// |K x - f| / |f|, the largest over the right-hand sides.
   [[nodiscard]] double relative_residual(const MatrixX& x, const MatrixX& f) const;

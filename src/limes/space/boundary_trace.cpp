@@ -187,12 +187,7 @@ std::vector<ConstraintRow> difference_on_side(const SubdivisionSpace& space, Hal
 
 std::vector<ConstraintRow> continuity(const SubdivisionSpace& space) {
   const Adjacency& adjacency = space.geometry().adjacency();
-  std::vector<bool> has_element(static_cast<std::size_t>(space.mesh().topology.num_faces()), false);
-  for (const Element& e : space.elements())
-    has_element[static_cast<std::size_t>(e.face.value)] = true;
-  const auto side = [&](HalfedgeId h) {
-    return h.valid() && has_element[static_cast<std::size_t>(adjacency.face(h).value)];
-  };
+  const auto side = [&](HalfedgeId h) { return h.valid() && space.has_element(adjacency.face(h)); };
   std::vector<ConstraintRow> rows;
   for (int e = 0; e < adjacency.num_edges(); ++e) {
     const HalfedgeId h = adjacency.halfedge(EdgeId(e));
@@ -205,10 +200,29 @@ std::vector<ConstraintRow> continuity(const SubdivisionSpace& space) {
 }
 
 ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v) {
-  // The control mesh's own ring start: its halfedges are those of the field's mesh.
-  const HalfedgeId h = space.geometry().adjacency().ring_start(v);
-  LIMES_ASSERT(h.valid());
-  return value_at_side(space, h, 0.0, region_of(space, h));
+  // On the control mesh's own ring: its halfedges are those of the field's mesh.
+  const Adjacency& adjacency = space.geometry().adjacency();
+  const HalfedgeId start = adjacency.ring_start(v);
+  for (HalfedgeId h = start; h.valid();) {
+    if (space.has_element(adjacency.face(h)))
+      return value_at_side(space, h, 0.0, region_of(space, h));
+    h = adjacency.ring_next(h);
+    if (h == start) break;
+  }
+  return {};
+}
+
+std::vector<HalfedgeId> domain_sides(const SubdivisionSpace& space) {
+  const Adjacency& adjacency = space.geometry().adjacency();
+  std::vector<HalfedgeId> sides;
+  for (int i = 0; i < adjacency.topology().num_corners(); ++i) {
+    const HalfedgeId h(i);
+    const HalfedgeId twin = adjacency.twin(h);
+    if (space.has_element(adjacency.face(h)) &&
+        !(twin.valid() && space.has_element(adjacency.face(twin))))
+      sides.push_back(h);
+  }
+  return sides;
 }
 
 }  // namespace limes

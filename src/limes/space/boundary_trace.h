@@ -14,6 +14,9 @@ struct SidePoint {
 /// @param s  in [0, 1], 0 at the start of the halfedge
 [[nodiscard]] SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s);
 
+/// The sides of the domain: halfedges whose face has an element, with no element beyond.
+[[nodiscard]] std::vector<HalfedgeId> domain_sides(const SubdivisionSpace& space);
+
 /// Linear functionals of the field's degrees of freedom that vanish together if and only if the
 /// field vanishes on the side of a face. On a side of a regular element these are the four control
 /// values (g + 4 b + c) / 6 of its cubic B-spline curve.
@@ -29,7 +32,8 @@ struct SidePoint {
 [[nodiscard]] std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a,
                                                       HalfedgeId b);
 
-/// The functional whose value is the field at a vertex of the control mesh (its limit point).
+/// The functional whose value is the field at a vertex of the control mesh (its limit point); empty if
+/// no face at the vertex has an element.
 [[nodiscard]] ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v);
 
 }  // namespace limes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 
 namespace limes {
@@ -32,10 +33,11 @@ SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule
 }
 
 void SubdivisionSpace::add_elements() {
-  const std::vector<bool> hole = hole_faces(mesh_);
+  has_element_ = hole_faces(mesh_);
+  has_element_.flip();
   std::map<std::tuple<int, int, int>, int> shapes;
   for (int i = 0; i < mesh_.topology.num_faces(); ++i) {
-    if (hole[static_cast<std::size_t>(i)]) continue;
+    if (!has_element_[static_cast<std::size_t>(i)]) continue;
     const FaceId f(i);
     for (int c = 0; c < geometry_->num_quadrants(f); ++c) {
       const auto [it, added] = shapes.try_emplace({geometry_->kind(f), field_->kind(f), c},
@@ -50,6 +52,7 @@ void SubdivisionSpace::add_elements() {
 }
 
 void SubdivisionSpace::number_dofs() {
+  if (elements_.empty()) throw InputError("all faces are holes; a domain needs at least one other");
   const int num_regions =
       regions_.empty() ? 1 : *std::max_element(regions_.begin(), regions_.end()) + 1;
   const auto num_vertices = static_cast<std::size_t>(extended_.topology.num_vertices());

@@ -38,7 +38,8 @@ class SubdivisionSpace {
   /// @param mesh      control mesh; hole faces shape their neighbours but are no elements
   /// @param boundary  rule of the geometry, not `none` (tag the faces at the boundary as holes)
   /// @param regions   region of every face, from 0; empty: one region
-  /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
+  /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh, or if all
+  ///         faces are holes
   SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, std::vector<int> regions,
                    const SpaceOptions& options);
 
@@ -47,7 +48,12 @@ class SubdivisionSpace {
   [[nodiscard]] const LimitBasis& field() const { return *field_; }
   [[nodiscard]] const ExtendedMesh& extended() const { return extended_; }
 
+  /// At least one.
   [[nodiscard]] std::span<const Element> elements() const { return elements_; }
+  /// Whether the face is part of the domain: no hole.
+  [[nodiscard]] bool has_element(FaceId f) const {
+    return has_element_[static_cast<std::size_t>(f.value)];
+  }
   [[nodiscard]] int num_dofs() const { return num_dofs_; }
   /// Degrees of freedom of an element, in the order of its table's field functions.
   [[nodiscard]] std::span<const int> dofs(int element) const;
@@ -96,6 +102,7 @@ class SubdivisionSpace {
   std::unique_ptr<LimitBasis> geometry_, field_;
   ElementQuadrature quadrature_;
   std::vector<Element> elements_;
+  std::vector<bool> has_element_;  // by face
   std::vector<ElementTable> tables_;
   std::vector<int> first_of_shape_;  // an element of each shape
   std::vector<int> regions_;

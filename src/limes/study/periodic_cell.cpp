@@ -25,13 +25,14 @@ class CellFinder {
       : model_(model),
         adjacency_(model.adjacency()),
         surface_(model.space->geometry(), model.mesh().points.span()),
-        tolerance_(1e-9 * model.diagonal) {
-    for (int v = 0; v < model.limit_points.size(); ++v)
-      if (adjacency_.ring_start(VertexId(v)).valid())
-        box_.extend(Vec2(model.limit_points[VertexId(v)].head<2>()));
+        tolerance_(1e-9 * model.diagonal),
+        sides_(domain_sides(*model.space)) {
+    for (const HalfedgeId h : sides_)
+      box_.extend(start(h));
   }
 
   PeriodicCell find() {
+    if (box_.isEmpty()) throw error("the mesh has no boundary");
     const Vec2 size = box_.sizes();
     PeriodicCell cell{size.x(), size.y(), {}};
     for (const Direction& d : directions)
@@ -50,12 +51,10 @@ class CellFinder {
   /// Boundary sides on the line axis = value, by the lower end along the line.
   [[nodiscard]] std::vector<HalfedgeId> sides_on(int axis, double value) const {
     std::vector<HalfedgeId> sides;
-    for (int e = 0; e < adjacency_.num_edges(); ++e) {
-      const HalfedgeId h = adjacency_.halfedge(EdgeId(e));
-      if (adjacency_.is_boundary(EdgeId(e)) && std::abs(start(h)(axis) - value) <= tolerance_ &&
+    for (const HalfedgeId h : sides_)
+      if (std::abs(start(h)(axis) - value) <= tolerance_ &&
           std::abs(end(h)(axis) - value) <= tolerance_)
         sides.push_back(h);
-    }
     std::sort(sides.begin(), sides.end(), [&](HalfedgeId a, HalfedgeId b) {
       return low_end(a, 1 - axis) < low_end(b, 1 - axis);
     });
@@ -112,6 +111,7 @@ class CellFinder {
   const Adjacency& adjacency_;
   LimitSurface surface_;
   double tolerance_;
+  std::vector<HalfedgeId> sides_;
   Eigen::AlignedBox2d box_;
 };
 

@@ -1,8 +1,11 @@
 #include "limes/study/plane_loads.h"
 
+#include <cmath>
+
 #include "limes/core/error.h"
 #include "limes/fem/load.h"
 #include "limes/study/selection.h"
+#include "limes/study/supports.h"
 
 namespace limes {
 namespace {
@@ -25,7 +28,7 @@ class LoadAssembler {
         return along_sides([&](const Vec3& x, const Vec2&) { return value(x); });
       case LoadKind::pressure:
         return along_sides([&](const Vec3& x, const Vec2& n) -> Vec2 {
-          return -load_.value[0](x) * side_thickness_ * n;
+          return -component(0, x) * side_thickness_ * n;
         });
       case LoadKind::force_per_area:
         return on_faces(false);
@@ -37,20 +40,32 @@ class LoadAssembler {
 
  private:
   [[nodiscard]] std::string file() const { return model_.problem.file.string(); }
-  [[nodiscard]] Vec2 value(const Vec3& x) const { return {load_.value[0](x), load_.value[1](x)}; }
+  [[nodiscard]] InputError error(const std::string& what) const {
+    return InputError("{}:{}: {}", file(), load_.line, what);
+  }
+  [[nodiscard]] double component(std::size_t i, const Vec3& x) const {
+    const double value = load_.value[i](x);
+    if (!std::isfinite(value))
+      throw error(fmt::format("'{}' has no finite value at ({:.6g}, {:.6g})", load_.value[i].text(),
+                              x.x(), x.y()));
+    return value;
+  }
+  [[nodiscard]] Vec2 value(const Vec3& x) const { return {component(0, x), component(1, x)}; }
 
   VectorX at_vertices() {
     VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
     for (std::size_t v = 0; v < chosen_.vertices().size(); ++v) {
       if (!chosen_.vertices()[v]) continue;
       const VertexId vertex(static_cast<std::int64_t>(v));
+      if (value_at_vertex(*model_.space, vertex).empty())
+        throw error(fmt::format("vertex {} belongs to holes only and carries no force", v));
       f += point_load(*model_.space, vertex, value(model_.limit_points[vertex]));
     }
     return f;
   }
 
   VectorX along_sides(const PlaneTraction& p) {
-    const std::vector<HalfedgeId> sides = chosen_.boundary_edges();
+    const std::vector<HalfedgeId> sides = selected_sides(model_, chosen_);
     if (sides.empty())
       throw InputError(
           "{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected", file(),
@@ -59,7 +74,6 @@ class LoadAssembler {
     VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
     for (const HalfedgeId h : sides) {
       const int e = element[static_cast<std::size_t>(model_.adjacency().face(h).value)];
-      if (e < 0) continue;  // a hole's side
       side_thickness_ = model_.thickness(e);
       f += side_load(*model_.space, {h}, p);
     }

@@ -1,5 +1,7 @@
 #include "limes/study/supports.h"
 
+#include <algorithm>
+
 #include "limes/core/error.h"
 #include "limes/space/boundary_trace.h"
 #include "limes/study/selection.h"
@@ -21,7 +23,7 @@ std::vector<ConstraintRow> held(const PlaneModel& model, const Selection& chosen
   const Adjacency& adjacency = model.adjacency();
   std::vector<ConstraintRow> rows;
   std::vector<bool> open = chosen.vertices();
-  for (const HalfedgeId h : chosen.boundary_edges()) {
+  for (const HalfedgeId h : selected_sides(model, chosen)) {
     for (ConstraintRow& row : trace_of_side(space, h))
       rows.push_back(std::move(row));
     for (const VertexId v : {adjacency.from(h), adjacency.to(h)})
@@ -29,13 +31,29 @@ std::vector<ConstraintRow> held(const PlaneModel& model, const Selection& chosen
   }
   for (std::size_t v = 0; v < open.size(); ++v) {
     const VertexId vertex(static_cast<std::int64_t>(v));
-    if (open[v] && adjacency.ring_start(vertex).valid())
-      rows.push_back(value_at_vertex(space, vertex));
+    ConstraintRow row = open[v] ? value_at_vertex(space, vertex) : ConstraintRow();
+    if (!row.empty()) rows.push_back(std::move(row));
   }
   return rows;
 }
 
 }  // namespace
+
+std::vector<HalfedgeId> selected_sides(const PlaneModel& model, const Selection& chosen) {
+  const Adjacency& adjacency = model.adjacency();
+  const std::vector<HalfedgeId> boundary = chosen.boundary_edges();  // ascending
+  const auto selected = [&](VertexId v) {
+    return chosen.vertices()[static_cast<std::size_t>(v.value)];
+  };
+  std::vector<HalfedgeId> sides;
+  for (const HalfedgeId h : domain_sides(*model.space)) {
+    const bool wanted = adjacency.twin(h).valid()
+                            ? selected(adjacency.from(h)) && selected(adjacency.to(h))
+                            : std::binary_search(boundary.begin(), boundary.end(), h);
+    if (wanted) sides.push_back(h);
+  }
+  return sides;
+}
 
 std::vector<ConstraintRow> on_both_components(const std::vector<ConstraintRow>& scalar) {
   std::vector<ConstraintRow> rows;
@@ -55,6 +73,9 @@ Constraints support_constraints(const PlaneModel& model) {
     const Selection chosen(model.mesh(), model.adjacency(), model.limit_points.span(),
                            support.where, problem.file.string(), support.where_line);
     const std::vector<ConstraintRow> rows = held(model, chosen);
+    if (rows.empty())
+      throw InputError("{}:{}: '{}' selects only vertices of hole faces", problem.file.string(),
+                       support.where_line, support.where);
     const int first = static_cast<int>(out.rows.size());
     for (int i = 0; i < 2; ++i)
       if (support.fix[static_cast<std::size_t>(i)])

@@ -4,6 +4,7 @@
 
 #include "limes/space/constraints.h"
 #include "limes/study/plane_model.h"
+#include "limes/study/selection.h"
 
 namespace limes {
 
@@ -17,6 +18,11 @@ struct Constraints {
   };
   std::vector<Source> sources;
 };
+
+/// Sides of the domain that a selection means: those of Selection::boundary_edges(), and along holes
+/// those whose ends are both selected.
+[[nodiscard]] std::vector<HalfedgeId> selected_sides(const PlaneModel& model,
+                                                     const Selection& chosen);
 
 /// The same condition on both components of a vector field.
 [[nodiscard]] std::vector<ConstraintRow> on_both_components(
