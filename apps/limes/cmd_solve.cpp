@@ -37,7 +37,7 @@ std::string summary(const PlaneResult& result) {
     const Mat3& C = result.solution.homogenised->stiffness;
     text += "effective stiffness (xx, yy, xy)\n";
     for (int i = 0; i < 3; ++i)
-      text += fmt::format("  {:>14.8f} {:>14.8f} {:>14.8f}\n", C(i, 0), C(i, 1), C(i, 2));
+      text += fmt::format("  {:>15.8g} {:>15.8g} {:>15.8g}\n", C(i, 0), C(i, 1), C(i, 2));
   }
   for (const ProbeResult& p : result.probes)
     text += fmt::format("probe {}: displacement ({}, {}), stress ({}, {}, {})\n", p.name,

@@ -256,6 +256,99 @@ at = [48, 60, 0]
   EXPECT_NEAR(s.solution.reactions[0].force(1), -1.0, 1e-9);
 }
 
+// Two corners of a square under its own weight: each carries half, by symmetry, though the functions
+// of the two overlap.
+TEST(Reactions, AreSharedFairlyByNeighbours) {
+  const std::string text = steel + R"(
+[model]
+kind = "plane-stress"
+[[support]]
+where = "vertex:0"
+fix = ["ux", "uy"]
+[[support]]
+where = "vertex:1"
+fix = ["uy"]
+[[load]]
+where = "all"
+force_per_area = [0, -1]
+)";
+  const Solved s = solve(text, testing::grid(1, 1, [](const Vec2& p) { return p; }));
+  EXPECT_NEAR(s.solution.reactions[0].force(1), 0.5, 1e-10);
+  EXPECT_NEAR(s.solution.reactions[1].force(1), 0.5, 1e-10);
+}
+
+// A cantilever 150 times as long as high, nu = 0: tip displacement 4 F L^3 / (E t h^3) (Euler), shear
+// adds 1e-4 of it.
+TEST(Beam, SlenderCantilever) {
+  const std::string text = R"(
+[material]
+young = 1e6
+poisson = 0.0
+[model]
+kind = "plane-stress"
+[[support]]
+where = "x == 0"
+fix = ["ux", "uy"]
+[[load]]
+where = "x == 150"
+force_per_length = [0, 1e-3]
+[[probe]]
+name = "tip"
+at = [150, 0.5, 0]
+)";
+  const Solved s =
+      solve(text, testing::grid(75, 1, [](const Vec2& p) { return Vec2(150 * p.x(), p.y()); }));
+  EXPECT_NEAR(s.probes[0].state.u.y(), 4e-3 * 150 * 150 * 150 / 1e6, 3e-4 * 13.5);
+}
+
+// Hole faces are no part of the domain: what remains is a narrower strip with sides of its own.
+TEST(Holes, BoundTheDomain) {
+  Mesh mesh = testing::grid(4, 4, [](const Vec2& p) { return p; });
+  for (const int f : {12, 13, 14, 15})
+    mesh.tags.holes.emplace_back(f);
+  std::string text = steel + tension;
+  text.replace(text.find("at = [1, 1, 0]"), 14, "at = [1, 0.75, 0]");
+  const Solved s = solve(text, mesh);
+  EXPECT_NEAR(s.probes[0].state.u.x(), 0.4, 1e-10);
+  EXPECT_NEAR(s.probes[0].state.u.y(), -0.75 * 0.1, 1e-10);
+  EXPECT_NEAR(s.solution.reactions[0].force(0), -0.6 * 0.75, 1e-10);
+  // The border of the hole carries loads: pushing on it is a compression across the strip.
+  const std::string push = steel + R"(
+[model]
+kind = "plane-stress"
+[[support]]
+where = "y == 0"
+fix = ["uy"]
+[[support]]
+where = "vertex:0"
+fix = ["ux"]
+[[load]]
+where = "y == 0.75"
+pressure = 1.5
+[[probe]]
+name = "top"
+at = [1, 0.75, 0]
+)";
+  const PlaneState top = solve(push, mesh).probes[0].state;
+  EXPECT_NEAR(top.stress(1), -1.5, 1e-9);
+  EXPECT_NEAR(top.u.y(), -1.5 / 3.0 * 0.75, 1e-10);
+}
+
+TEST(Probes, FindPointsNextToAnExtraordinaryVertex) {
+  Mesh mesh = testing::regular_polygon(5);
+  std::string text = steel + R"(
+[model]
+kind = "plane-stress"
+[[support]]
+where = "all"
+fix = ["ux", "uy"]
+)";
+  for (const char* at : {"[0.05, 0.05]", "[0.03, 0.01]", "[-0.2, 0.001]", "[0, 0]"})
+    text += std::string("[[probe]]\nname = \"") + at + "\"\nat = " + at + "\n";
+  for (const ProbeResult& p : solve(text, mesh).probes)
+    EXPECT_LT(p.distance, 1e-9) << p.name;
+}
+
 TEST(RigidMotion, IsNamed) {
   const Mesh mesh = testing::grid(2, 2, [](const Vec2& p) { return p; });
   const std::string model = steel + "[model]\nkind = \"plane-stress\"\n";
@@ -272,6 +365,9 @@ TEST(RigidMotion, IsNamed) {
 
 TEST(Messages, NameThePlace) {
   const Mesh mesh = testing::grid(2, 2, [](const Vec2& p) { return p; });
+  std::string endless = steel + tension;
+  endless.replace(endless.find("[0.6, 0]"), 8, "[\"1/(x-1)\", 0]");
+  EXPECT_NE(message_of(endless, mesh).find("has no finite value at (1, "), std::string::npos);
   Mesh bent = mesh;
   bent.points[VertexId(4)].z() = 0.1;
   EXPECT_NE(message_of(steel + tension, bent).find("not plane"), std::string::npos);

@@ -5,6 +5,10 @@
 namespace limes {
 namespace {
 
+double relative(double value, double scale) {
+  return scale > 0 ? value / scale : value;
+}
+
 /// Area of the model with the space's own quadrature, and the stress resultants over it.
 struct Integrals {
   double area = 0;
@@ -54,8 +58,8 @@ void add_equilibrium(const PlaneModel& model, const PlaneSolution& solution,
   for (const PlaneSolution::Reaction& r : solution.reactions)
     sum += r.force;
   const double scale = solution.load_size > 0 ? solution.load_size : 1.0;
-  checks.push_back({"equilibrium of forces", sum.head<2>().norm() / scale, 1e-8});
-  checks.push_back({"equilibrium of moments", std::abs(sum(2)) / (scale * model.diagonal), 1e-8});
+  checks.push_back({"equilibrium of forces", sum.head<2>().norm() / scale, 1e-6});
+  checks.push_back({"equilibrium of moments", std::abs(sum(2)) / (scale * model.diagonal), 1e-6});
 }
 
 }  // namespace
@@ -63,19 +67,20 @@ void add_equilibrium(const PlaneModel& model, const PlaneSolution& solution,
 std::vector<SolutionCheck> check_solution(const PlaneModel& model, const PlaneSolution& solution) {
   std::vector<SolutionCheck> checks;
   const Integrals integrals = integrate(model, solution);
-  checks.push_back({"residual of the linear solver", solution.solver_residual, 1e-9});
+  // Slender models, whose internal forces nearly cancel, come to 1e-7 by rounding alone.
+  checks.push_back({"residual of the linear solver", solution.solver_residual, 1e-6});
   if (solution.homogenised) {
     const PlaneSolution::Homogenised& h = *solution.homogenised;
     const double volume = h.width * h.height * model.problem.materials.front().thickness;
     const Vec3 average = integrals.stress / volume;
-    const double scale = std::max(h.stress.norm(), 1e-300);
-    checks.push_back(
-        {"average stress = stiffness x strain", (average - h.stress).norm() / scale, 1e-8});
+    const double scale = h.stiffness.norm() * h.strain.norm();  // a cell may carry nothing at all
+    checks.push_back({"average stress = stiffness x strain",
+                      relative((average - h.stress).norm(), scale), 1e-8});
     const double work = 0.5 * volume * h.stress.dot(h.strain);
-    checks.push_back({"macroscopic work = strain energy",
-                      std::abs(work - solution.strain_energy) /
-                          std::max(std::abs(solution.strain_energy), 1e-300),
-                      1e-8});
+    checks.push_back(
+        {"macroscopic work = strain energy",
+         relative(std::abs(work - solution.strain_energy), volume * scale * h.strain.norm()),
+         1e-8});
     checks.push_back({"symmetry of the stiffness",
                       (h.stiffness - h.stiffness.transpose()).norm() / h.stiffness.norm(), 1e-8});
   } else {

@@ -73,6 +73,7 @@ void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& mod
   }
   model.diagonal = box.diagonal().norm();
   const double z = model.limit_points[VertexId(first)].z();
+  model.z = z;
   for (int v = 0; v < mesh.points.size(); ++v) {
     const bool used = basis.adjacency().ring_start(VertexId(v)).valid();
     const double dz = model.limit_points[VertexId(v)].z() - z;

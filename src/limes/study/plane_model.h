@@ -18,6 +18,7 @@ struct PlaneModel {
 
   IdArray<VertexId, Vec3> limit_points;  ///< of the space's control vertices: what `where` is about
   double diagonal = 0;                   ///< of the box around them
+  double z = 0;                          ///< of all of them
   std::vector<int> material_of_element;  ///< index in problem.materials
   ElementStiffness C;                    ///< elasticity matrix times thickness, per element
   std::vector<std::string> remarks;      ///< of the mesh file's reader

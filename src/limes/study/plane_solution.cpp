@@ -1,5 +1,7 @@
 #include "limes/study/plane_solution.h"
 
+#include <cmath>
+
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/solve/linear.h"
@@ -47,23 +49,37 @@ PlaneResultant resultant_of(const VectorX& f, int dof,
   return {force.x(), force.y(), x(dof, 0) * force.y() - x(dof, 1) * force.x()};
 }
 
-/// Splits the residual K u - f among the supports; what two supports share goes to the first.
-/// Forces that only hold the regions of the space together are taken out before: what is left acts on
-/// the unknowns that continuity leaves free, and only where supports hold them.
+/// The rows of supports, each of length 1, on the unknowns that continuity leaves free.
+SparseMatrix support_rows(const Constraints& constraints, const Elimination& continuous) {
+  std::vector<Triplet> entries;
+  for (std::size_t r = 0; r < constraints.rows.size(); ++r)
+    for (const auto& [unknown, weight] : constraints.rows[r])
+      for (SparseMatrix::InnerIterator it(continuous.T, unknown); it; ++it)
+        entries.emplace_back(static_cast<int>(r), static_cast<int>(it.col()), weight * it.value());
+  SparseMatrix C(static_cast<Eigen::Index>(constraints.rows.size()), continuous.T.cols());
+  C.setFromTriplets(entries.begin(), entries.end());
+  for (int r = 0; r < C.outerSize(); ++r) {
+    const double length = std::sqrt(C.row(r).squaredNorm());
+    if (length > 0) C.row(r) /= length;
+  }
+  return C;
+}
+
+/// Splits the residual K u - f = C^T lambda among the supports. Forces that only hold the regions of
+/// the space together are taken out before. Conditions that two supports share are carried by both.
 void set_reactions(const PlaneModel& model, const Constraints& constraints, const VectorX& residual,
                    PlaneSolution& solution) {
   const auto x = model.space->position_coefficients();
   const Elimination continuous =
       eliminate(static_cast<int>(residual.size()), on_both_components(continuity(*model.space)));
-  VectorX open = continuous.T.transpose() * residual;
+  const SparseMatrix C = support_rows(constraints, continuous);
+  const VectorX lambda = DirectSolver(SparseMatrix(C * C.transpose()))
+                             .solve(C * (continuous.T.transpose() * residual));
   for (const Constraints::Source& source : constraints.sources) {
     VectorX own = VectorX::Zero(residual.size());
     for (int r = source.first; r < source.last; ++r)
-      for (const auto& [unknown, weight] : constraints.rows[static_cast<std::size_t>(r)])
-        for (SparseMatrix::InnerIterator it(continuous.T, unknown); it; ++it) {
-          own(continuous.unknown(static_cast<int>(it.col()))) += open(it.col());
-          open(it.col()) = 0;
-        }
+      for (SparseMatrix::InnerIterator it(C, r); it; ++it)
+        own(continuous.unknown(static_cast<int>(it.col()))) += lambda(r) * it.value();
     PlaneResultant sum = PlaneResultant::Zero();
     for (int a = 0; a < residual.size() / 2; ++a)
       sum += resultant_of(own, a, x);

@@ -45,7 +45,11 @@ Candidate descend(const SubdivisionSpace& space, Candidate c, const Vec3& at) {
   };
   for (int step = 0; step < 50; ++step) {
     const SurfacePoint p = surface.evaluate(e.face, e.corner, c.uv);
-    if (!p.first) break;  // an extraordinary vertex: the samples already have it
+    if (!p.first) {  // derivatives begin a little inside; the vertex itself stays a candidate
+      c.uv += 0.01 * (Vec2(0.5, 0.5) - c.uv);
+      c.distance2 = distance2(c.uv);
+      continue;
+    }
     Eigen::Matrix<double, 3, 2> A;
     A << p.first->xu, p.first->xv;
     Vec2 gradient = A.transpose() * (p.x - at);
@@ -78,6 +82,7 @@ Candidate nearest(const SubdivisionSpace& space, const std::vector<ElementTable>
     const Element& e = space.elements()[static_cast<std::size_t>(c.element)];
     const LimitSurface surface(space.geometry(), space.mesh().points.span());
     c.distance2 = (surface.position(e.face, e.corner, c.uv) - at).squaredNorm();
+    if (c.distance2 < best.distance2) best = c;
     c = descend(space, c, at);
     if (c.distance2 < best.distance2) best = c;
   }
@@ -98,7 +103,9 @@ std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& sol
   for (int s = 0; s < space.num_shapes(); ++s)
     samples.push_back(space.sample(s, grid));
   for (const ProbeSettings& p : model.problem.probes) {
-    const Candidate c = nearest(space, samples, p.at);
+    Vec3 at = p.at;
+    at.z() = model.z;  // plane models: z is not asked for
+    const Candidate c = nearest(space, samples, at);
     const int shape = space.elements()[static_cast<std::size_t>(c.element)].shape;
     const PlaneState state =
         states(model, solution, c.element, space.sample(shape, {c.uv})).front();

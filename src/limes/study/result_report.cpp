@@ -115,9 +115,9 @@ void add_homogenised(const PlaneSolution::Homogenised& h, const UnitSettings& un
               {}};
   for (int i = 0; i < 3; ++i)
     table.rows.push_back({names[static_cast<std::size_t>(i)],
-                          fmt::format("{:.8f}", h.stiffness(i, 0)),
-                          fmt::format("{:.8f}", h.stiffness(i, 1)),
-                          fmt::format("{:.8f}", h.stiffness(i, 2)), shown(h.stress(i))});
+                          fmt::format("{:.8g}", h.stiffness(i, 0)),
+                          fmt::format("{:.8g}", h.stiffness(i, 1)),
+                          fmt::format("{:.8g}", h.stiffness(i, 2)), shown(h.stress(i))});
   report.table(table);
 }
 
