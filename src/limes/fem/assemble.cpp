@@ -110,17 +110,4 @@ VectorX assemble_vector(const SubdivisionSpace& space, int components,
   return f;
 }
 
-SparseMatrix repeated(const SparseMatrix& scalar, int components) {
-  std::vector<Triplet> entries;
-  entries.reserve(static_cast<std::size_t>(scalar.nonZeros() * components));
-  for (int row = 0; row < scalar.outerSize(); ++row)
-    for (SparseMatrix::InnerIterator it(scalar, row); it; ++it)
-      for (int i = 0; i < components; ++i)
-        entries.emplace_back(components * row + i, components * static_cast<int>(it.col()) + i,
-                             it.value());
-  SparseMatrix out(components * scalar.rows(), components * scalar.cols());
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
-}
-
 }  // namespace limes

@@ -21,7 +21,4 @@ using ElementVector = std::function<void(int element, VectorX& f)>;
 [[nodiscard]] VectorX assemble_vector(const SubdivisionSpace& space, int components,
                                       const ElementVector& element_vector);
 
-/// A matrix for one scalar field, repeated on the diagonal for each component.
-[[nodiscard]] SparseMatrix repeated(const SparseMatrix& scalar, int components);
-
 }  // namespace limes

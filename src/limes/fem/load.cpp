@@ -122,11 +122,11 @@ VectorX side_load(const SubdivisionSpace& space, const std::vector<HalfedgeId>& 
   return f;
 }
 
-VectorX point_load(const SubdivisionSpace& space, VertexId v, const Vec2& p) {
-  VectorX f = no_load(space);
-  for (const auto& [dof, weight] : value_at_vertex(space, v))
+bool add_point_load(const SubdivisionSpace& space, VertexId v, const Vec2& p, VectorX& f) {
+  const ConstraintRow value = value_at_vertex(space, v);
+  for (const auto& [dof, weight] : value)
     f.segment<2>(2 * dof) += weight * p;
-  return f;
+  return !value.empty();
 }
 
 }  // namespace limes

@@ -22,8 +22,9 @@ using PlaneTraction = std::function<Vec2(const Vec3& x, const Vec2& normal)>;
 [[nodiscard]] VectorX side_load(const SubdivisionSpace& space, const std::vector<HalfedgeId>& sides,
                                 const PlaneTraction& p);
 
-/// f_a = N_a(limit point of v) p.
-[[nodiscard]] VectorX point_load(const SubdivisionSpace& space, VertexId v, const Vec2& p);
+/// Adds N_a(limit point of v) p to f.
+/// @return  whether the vertex belongs to the domain
+bool add_point_load(const SubdivisionSpace& space, VertexId v, const Vec2& p, VectorX& f);
 
 /// Points of a rule along a side, pieces where functions are polynomial; in the side's parameter s.
 struct SideRule {

@@ -42,7 +42,8 @@ Values evaluate(const LimitBasis& basis, FaceId f, int corner,
 std::vector<int> felt(const Values& all) {
   std::vector<int> active;
   for (Eigen::Index a = 0; a < all.N.cols(); ++a)
-    if (all.N.col(a).cwiseAbs().maxCoeff() > 0 || all.Nu.col(a).cwiseAbs().maxCoeff() > 0)
+    if (all.N.col(a).cwiseAbs().maxCoeff() > 0 || all.Nu.col(a).cwiseAbs().maxCoeff() > 0 ||
+        all.Nv.col(a).cwiseAbs().maxCoeff() > 0)
       active.push_back(static_cast<int>(a));
   return active;
 }

@@ -22,8 +22,7 @@ struct ElementTable {
 /// Gauss points on all tiles of an element.
 struct ElementQuadrature {
   int points = 3;  ///< per direction and tile
-  int depth =
-      4;  ///< rings of tiles around an extraordinary vertex; [barendrecht_2013], reference A3
+  int depth = 4;   ///< rings of tiles around an extraordinary vertex
 };
 
 /// Points and weights of a rule on an element of this shape.

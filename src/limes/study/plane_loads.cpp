@@ -57,9 +57,8 @@ class LoadAssembler {
     for (std::size_t v = 0; v < chosen_.vertices().size(); ++v) {
       if (!chosen_.vertices()[v]) continue;
       const VertexId vertex(static_cast<std::int64_t>(v));
-      if (value_at_vertex(*model_.space, vertex).empty())
+      if (!add_point_load(*model_.space, vertex, value(model_.limit_points[vertex]), f))
         throw error(fmt::format("vertex {} belongs to holes only and carries no force", v));
-      f += point_load(*model_.space, vertex, value(model_.limit_points[vertex]));
     }
     return f;
   }
@@ -72,10 +71,15 @@ class LoadAssembler {
           load_.line, load_.where);
     const std::vector<int> element = element_of_face();
     VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
-    for (const HalfedgeId h : sides) {
-      const int e = element[static_cast<std::size_t>(model_.adjacency().face(h).value)];
-      side_thickness_ = model_.thickness(e);
-      f += side_load(*model_.space, {h}, p);
+    // One assembly per material: thicknesses differ.
+    for (int m = 0; m < static_cast<int>(model_.problem.materials.size()); ++m) {
+      std::vector<HalfedgeId> own;
+      for (const HalfedgeId h : sides) {
+        const int e = element[static_cast<std::size_t>(model_.adjacency().face(h).value)];
+        if (model_.material_of_element[static_cast<std::size_t>(e)] == m) own.push_back(h);
+      }
+      side_thickness_ = model_.problem.materials[static_cast<std::size_t>(m)].thickness;
+      f += side_load(*model_.space, own, p);
     }
     return f;
   }
