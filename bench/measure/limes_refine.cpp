@@ -1,0 +1,82 @@
+// Uniform refinement by limes, topology and positions timed apart.
+//   --in FILE --scheme catmull-clark --levels N --threads T
+//   --method general (one RefinementStep a level)
+#include "input.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+
+using namespace bench;
+
+namespace {
+
+struct Refined {
+  double topology = 0, topology_cpu = 0, positions = 0, positions_cpu = 0;
+  int faces = 0;
+  std::vector<limes::Vec3> points;
+};
+
+Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels) {
+  Refined result;
+  Timer timer;
+  const auto topology_done = [&] {
+    result.topology += timer.wall();
+    result.topology_cpu += timer.cpu();
+    timer.restart();
+  };
+  limes::Topology topology = mesh.topology;
+  limes::Features features = features_of(mesh);
+  result.points = mesh.points.vector();
+  for (int level = 0; level < levels; ++level) {
+    const limes::Adjacency adjacency(
+        topology, level == 0 ? limes::Adjacency::Check::surface : limes::Adjacency::Check::edges);
+    const limes::RefinementStep step(adjacency, features, scheme);
+    limes::Topology child = step.child_topology();
+    limes::Features child_features = step.child_features();
+    topology_done();
+    std::vector<limes::Vec3> fine(static_cast<std::size_t>(step.num_child_vertices()));
+    step.apply(result.points, fine);
+    result.points = std::move(fine);
+    result.positions += timer.wall();
+    result.positions_cpu += timer.cpu();
+    timer.restart();
+    topology = std::move(child);
+    features = std::move(child_features);
+  }
+  topology_done();
+  result.faces = topology.num_faces();
+  return result;
+}
+
+void run(const Args& args) {
+  const limes::Mesh mesh = load_mesh(args.get("in", "shape:cube"));
+  const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
+  const int levels = args.get("levels", 3);
+  const std::string method = args.get("method", "general");
+  use_threads(args.get("threads", 1));
+  const std::int64_t rss_before = peak_rss();
+  if (method != "general") throw std::runtime_error("unknown method " + method);
+  const Refined result = refine_in_general(mesh, scheme, levels);
+
+  JsonLine line = first_fields(args, method);
+  line.add("levels", levels).add("in_faces", mesh.topology.num_faces());
+  line.add("out_faces", result.faces).add("out_vertices", result.points.size());
+  line.add("seconds_topology", result.topology).add("seconds_positions", result.positions);
+  line.add("seconds", result.topology + result.positions);
+  line.add("cpu_seconds_topology", result.topology_cpu);
+  line.add("cpu_seconds_positions", result.positions_cpu);
+  line.add("cpu_seconds", result.topology_cpu + result.positions_cpu);
+  line.add("rss_before", rss_before).add("peak_rss", peak_rss());
+  line.add("checksum", checksum(result.points));
+  args.require_all_read();
+  line.print();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  run(Args(argc, argv));
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "limes_refine: %s\n", error.what());
+  return 1;
+}
