@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "limes/core/error.h"
 #include "limes/study/run.h"
 #include "memory.h"
 #include "run.h"
@@ -47,9 +48,21 @@ std::string summary(const PlaneResult& result) {
     text += fmt::format("reaction at {}: force ({}, {}), moment {}\n", r.where, shown(r.force(0)),
                         shown(r.force(1)), shown(r.force(2)));
   for (const SolutionCheck& c : result.checks)
-    text += fmt::format("check {}: {:.2e} {}\n", c.name, c.value,
-                        c.passed() ? "passed" : fmt::format("FAILED, at most {:.0e}", c.limit));
+    text += fmt::format("check {}: {:.2e} {}, at most {:.2g}\n", c.name, c.value,
+                        c.passed() ? "passed" : "FAILED", c.limit);
   return text;
+}
+
+/// Names the checks that failed, after the results were written: they may still tell why.
+void require_passed(const std::filesystem::path& problem,
+                    const std::vector<SolutionCheck>& checks) {
+  std::string failed;
+  for (const SolutionCheck& c : checks)
+    if (!c.passed())
+      failed += fmt::format("{}{} is {:.2e}, at most {:.2g} is good", failed.empty() ? "" : "; ",
+                            c.name, c.value, c.limit);
+  if (!failed.empty())
+    throw SolverError("{}: a check of the solution failed: {}", problem.string(), failed);
 }
 
 void SolveCommand::operator()() const {
@@ -73,6 +86,7 @@ void SolveCommand::operator()() const {
           (output.empty() ? ""
                           : fmt::format("results in {}: report.html, result.vtu, result.json\n",
                                         output.string())));
+  require_passed(problem, result.checks);
 }
 
 }  // namespace
@@ -82,6 +96,7 @@ void add_solve(CLI::App& program) {
   CLI::App& app = *program.add_subcommand("solve", "Solve the problem of a file");
   app.add_option("PROBLEM.toml", command->problem, "Problem file, see docs/problem-file.md")
       ->required()
+      ->option_text(" ")
       ->group(files_group);
   app.add_option("-o,--output", command->output,
                  "Folder for report.html, result.vtu, result.json and pictures")

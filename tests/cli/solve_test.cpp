@@ -1,9 +1,13 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cli/program.h"
+#include "study/tension.h"
 
 namespace limes::test {
 namespace {
@@ -14,27 +18,9 @@ const std::string square =
     "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
     "f 1 2 5 4\nf 2 3 6 5\nt interpolateboundary 1/0/0 1\n";
 
-const std::string pulled = R"([mesh]
-file = "square.obj"
-levels = 1
-[material]
-young = 10
-poisson = 0.25
-[model]
-kind = "plane-stress"
-[[support]]
-where = "x == 0"
-fix = ["ux"]
-[[support]]
-where = "vertex:0"
-fix = ["uy"]
-[[load]]
-where = "x == 2"
-force_per_length = [1, 0]
-[[probe]]
-name = "end"
-at = [2, 1, 0]
-)";
+const std::string pulled =
+    "[mesh]\nfile = \"square.obj\"\nlevels = 1\n[material]\nyoung = 10\npoisson = 0.25\n" +
+    testing::tension("2", "1");
 
 /// A folder with a problem that has an exact solution: u = x / 10, v = -y / 40.
 class Solve : public ::testing::Test {
@@ -133,6 +119,59 @@ TEST_F(Solve, FailsWithTheRightCode) {
   expect_failure(run_limes({"solve", problem, "--set", "support.0.fix=[\"uz\"]"}), 3, "uz");
   const std::string blocked = folder.file("blocked", "a file, no folder");
   expect_failure(run_limes({"solve", problem, "-o", blocked + "/out"}), 5, "cannot be made");
+}
+
+// Five quads around a vertex: with no rings of tiles there the area is off by 3e-4.
+TEST_F(Solve, WritesResultsAndFailsIfACheckFails) {
+  std::string star = "v 0 0 0\n";
+  std::string faces;
+  for (int i = 0; i < 5; ++i) {
+    const double a = i * 0.4 * std::numbers::pi;
+    const double b = a + 0.2 * std::numbers::pi;
+    star += fmt::format("v {} {} 0\nv {} {} 0\n", std::cos(a), std::sin(a), 1.3 * std::cos(b),
+                        1.3 * std::sin(b));
+    faces += fmt::format("f 1 {} {} {}\n", 2 + 2 * i, 3 + 2 * i, i < 4 ? 4 + 2 * i : 2);
+  }
+  folder.file("star.obj", star + faces);
+  const std::string file = folder.file("star.toml", R"([mesh]
+file = "star.obj"
+[material]
+young = 1
+poisson = 0.3
+[model]
+kind = "plane-stress"
+quadrature_points = 2
+quadrature_depth = 0
+[[support]]
+where = "vertex:1 or vertex:3"
+fix = ["ux", "uy"]
+[[load]]
+where = "all"
+force_per_area = [0, -1]
+)");
+  const std::string out = folder / "out";
+  const Result result = run_limes({"solve", file, "-o", out, "--json"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_NE(result.err.find("a check of the solution failed: quadrature"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(num_lines(result.err), 1) << result.err;
+  for (const std::string& text : {result.out, read_file(out + "/result.json")})
+    EXPECT_FALSE(Json::parse(text)["checks"].back()["passed"]);
+  EXPECT_EQ(run_limes({"solve", file, "--set", "model.quadrature_depth=4"}).exit_code, 0);
+}
+
+TEST_F(Solve, RemarksOnAProbeFarFromTheSurface) {
+  const Result result = run_limes({"solve", problem, "--json", "--set", "probe.0.at=[5, 5]"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(num_lines(result.err), 1) << result.err;
+  EXPECT_NE(result.err.find("probe 'end' at (5, 5) is 5 away from the surface"), std::string::npos)
+      << result.err;
+}
+
+TEST_F(Solve, HelpNamesTheFileOnly) {
+  const std::string help = run_limes({"solve", "--help"}).out;
+  EXPECT_NE(help.find("Usage: limes solve PROBLEM.toml [options]"), std::string::npos);
+  EXPECT_EQ(help.find("TEXT"), std::string::npos);
 }
 
 }  // namespace

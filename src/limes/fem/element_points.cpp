@@ -1,7 +1,5 @@
 #include "limes/fem/element_points.h"
 
-#include "limes/core/error.h"
-
 namespace limes {
 
 void to_physical(const ElementTable& table, const Eigen::Matrix<double, Eigen::Dynamic, 3>& P,
@@ -22,7 +20,7 @@ void to_physical(const ElementTable& table, const Eigen::Matrix<double, Eigen::D
   out.Ny = combine(-xv.col(0), xu.col(0));
 }
 
-void require_unfolded(const SubdivisionSpace& space) {
+std::optional<Fold> find_fold(const SubdivisionSpace& space) {
   double sign = 0;
   for (int e = 0; e < static_cast<int>(space.elements().size()); ++e) {
     const Element& element = space.elements()[static_cast<std::size_t>(e)];
@@ -34,13 +32,10 @@ void require_unfolded(const SubdivisionSpace& space) {
       const double J = xu(i, 0) * xv(i, 1) - xu(i, 1) * xv(i, 0);
       if (sign == 0 && J != 0) sign = J > 0 ? 1 : -1;
       if (J * sign > 0) continue;
-      const Eigen::RowVector3d x = table.G.row(i) * P;
-      throw InputError(
-          "face {}: the surface is folded or degenerate near ({:.6g}, {:.6g}); the faces must "
-          "cover the plane once",
-          element.face.value, x(0), x(1));
+      return Fold{element.face, (table.G.row(i) * P).transpose()};
     }
   }
+  return std::nullopt;
 }
 
 }  // namespace limes

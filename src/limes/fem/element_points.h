@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "limes/space/subdivision_space.h"
 
 namespace limes {
@@ -16,8 +18,13 @@ struct ElementPoints {
 void to_physical(const ElementTable& table, const Eigen::Matrix<double, Eigen::Dynamic, 3>& P,
                  ElementPoints& out);
 
-/// Finds where the map from parameters to the plane is not one to one.
-/// @throws InputError naming the face if det J changes its sign or vanishes at a quadrature point
-void require_unfolded(const SubdivisionSpace& space);
+/// A place where the map from parameters to the plane is not one to one.
+struct Fold {
+  FaceId face;
+  Vec3 x;
+};
+
+/// The first quadrature point at which det J changes its sign or vanishes.
+[[nodiscard]] std::optional<Fold> find_fold(const SubdivisionSpace& space);
 
 }  // namespace limes

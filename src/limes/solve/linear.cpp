@@ -88,9 +88,7 @@ MatrixX DirectSolver::solve(const MatrixX& f) const {
     x = refined;
     residual = next;
   }
-  // What rounding of x alone leaves of K x: large for slender models, whose forces nearly cancel.
-  const double floor = f.norm() > 0 ? rounding * factor_->norm * x.norm() / f.norm() : 0.0;
-  if (!(residual <= std::max(worst_residual, floor)))
+  if (!(residual <= std::max(worst_residual, rounding_floor(x, f))))
     throw SolverError("the linear system ({} unknowns) has no solution: relative residual {:.1e}",
                       f.rows(), residual);
   return x;
@@ -104,6 +102,15 @@ double DirectSolver::relative_residual(const MatrixX& x, const MatrixX& f) const
     const double relative = scale > 0 ? r / scale : r;
     if (!std::isfinite(relative)) return relative;
     largest = std::max(largest, relative);
+  }
+  return largest;
+}
+
+double DirectSolver::rounding_floor(const MatrixX& x, const MatrixX& f) const {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < f.cols(); ++k) {
+    const double scale = f.col(k).norm();
+    if (scale > 0) largest = std::max(largest, rounding * factor_->norm * x.col(k).norm() / scale);
   }
   return largest;
 }

@@ -23,11 +23,14 @@ class DirectSolver {
   ~DirectSolver();
 
   /// A solution of K x = f for one or several right-hand sides.
-  /// @throws SolverError if there is none: the relative residual stays above 1e-8 and above what
-  ///         rounding explains
+  /// @throws SolverError if there is none: the relative residual stays above 1e-8 and above
+  ///         rounding_floor
   [[nodiscard]] MatrixX solve(const MatrixX& f) const;
   /// |K x - f| / |f|, the largest over the right-hand sides.
   [[nodiscard]] double relative_residual(const MatrixX& x, const MatrixX& f) const;
+  /// What rounding the entries of x alone leaves of that: 4 eps |K| |x| / |f|, |K| the largest row sum;
+  /// the largest over the right-hand sides. Large for slender models, whose forces nearly cancel.
+  [[nodiscard]] double rounding_floor(const MatrixX& x, const MatrixX& f) const;
 
   /// Name of the method, for reports.
   [[nodiscard]] static std::string_view name();

@@ -1,5 +1,6 @@
 #include "limes/study/checks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limes {
@@ -51,15 +52,14 @@ double deeper_area(const PlaneModel& model) {
   return area;
 }
 
-/// Forces relative to the sum of what acts, moments to that times the model's size.
+/// Forces relative to the sum of what acts, moments about the model's centre to that times its size.
 void add_equilibrium(const PlaneModel& model, const PlaneSolution& solution,
                      std::vector<SolutionCheck>& checks) {
-  PlaneResultant sum = solution.loads;
-  for (const PlaneSolution::Reaction& r : solution.reactions)
-    sum += r.force;
+  const PlaneResultant& sum = solution.imbalance;
   const double scale = solution.load_size > 0 ? solution.load_size : 1.0;
-  checks.push_back({"equilibrium of forces", sum.head<2>().norm() / scale, 1e-6});
-  checks.push_back({"equilibrium of moments", std::abs(sum(2)) / (scale * model.diagonal), 1e-6});
+  const double limit = std::max(1e-8, solution.rounding_floor);
+  checks.push_back({"equilibrium of forces", sum.head<2>().norm() / scale, limit});
+  checks.push_back({"equilibrium of moments", std::abs(sum(2)) / (scale * model.diagonal), limit});
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ void add_equilibrium(const PlaneModel& model, const PlaneSolution& solution,
 std::vector<SolutionCheck> check_solution(const PlaneModel& model, const PlaneSolution& solution) {
   std::vector<SolutionCheck> checks;
   const Integrals integrals = integrate(model, solution);
-  // Slender models, whose internal forces nearly cancel, come to 1e-7 by rounding alone.
-  checks.push_back({"residual of the linear solver", solution.solver_residual, 1e-6});
+  checks.push_back({"residual of the linear solver", solution.solver_residual,
+                    std::max(1e-9, solution.rounding_floor)});
   if (solution.homogenised) {
     const PlaneSolution::Homogenised& h = *solution.homogenised;
     const double volume = h.width * h.height * model.problem.materials.front().thickness;

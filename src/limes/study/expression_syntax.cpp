@@ -8,7 +8,7 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/nearest.h"
+#include "limes/study/suggest.h"
 
 namespace limes {
 namespace {

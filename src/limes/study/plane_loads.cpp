@@ -25,15 +25,17 @@ class LoadAssembler {
       case LoadKind::force:
         return at_vertices();
       case LoadKind::force_per_length:
-        return along_sides([&](const Vec3& x, const Vec2&) { return value(x); });
+        return along_sides(
+            [&](const Vec3& x, const Vec2&, double /*thickness*/) { return value(x); });
       case LoadKind::pressure:
-        return along_sides([&](const Vec3& x, const Vec2& n) -> Vec2 {
-          return -component(0, x) * side_thickness_ * n;
+        return along_sides([&](const Vec3& x, const Vec2& n, double thickness) -> Vec2 {
+          return -component(0, x) * thickness * n;
         });
       case LoadKind::force_per_area:
-        return on_faces(false);
+        return on_faces([&](const Vec3& x, double /*thickness*/) { return value(x); });
       case LoadKind::force_per_volume:
-        return on_faces(true);
+        return on_faces(
+            [&](const Vec3& x, double thickness) -> Vec2 { return thickness * value(x); });
     }
     return {};
   }
@@ -53,7 +55,7 @@ class LoadAssembler {
   [[nodiscard]] Vec2 value(const Vec3& x) const { return {component(0, x), component(1, x)}; }
 
   VectorX at_vertices() {
-    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    VectorX f = zero();
     for (std::size_t v = 0; v < chosen_.vertices().size(); ++v) {
       if (!chosen_.vertices()[v]) continue;
       const VertexId vertex(static_cast<std::int64_t>(v));
@@ -63,14 +65,20 @@ class LoadAssembler {
     return f;
   }
 
-  VectorX along_sides(const PlaneTraction& p) {
+  [[nodiscard]] VectorX zero() const {
+    return VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+  }
+
+  /// @param p  force per length, of a point, the normal and the thickness
+  template <class Traction>
+  VectorX along_sides(const Traction& p) {
     const std::vector<HalfedgeId> sides = selected_sides(model_, chosen_);
     if (sides.empty())
       throw InputError(
           "{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected", file(),
           load_.line, load_.where);
     const std::vector<int> element = element_of_face();
-    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    VectorX f = zero();
     // One assembly per material: thicknesses differ.
     for (int m = 0; m < static_cast<int>(model_.problem.materials.size()); ++m) {
       std::vector<HalfedgeId> own;
@@ -78,13 +86,17 @@ class LoadAssembler {
         const int e = element[static_cast<std::size_t>(model_.adjacency().face(h).value)];
         if (model_.material_of_element[static_cast<std::size_t>(e)] == m) own.push_back(h);
       }
-      side_thickness_ = model_.problem.materials[static_cast<std::size_t>(m)].thickness;
-      f += side_load(*model_.space, own, p);
+      if (own.empty()) continue;
+      const double thickness = model_.problem.materials[static_cast<std::size_t>(m)].thickness;
+      f += side_load(*model_.space, own,
+                     [&](const Vec3& x, const Vec2& n) { return p(x, n, thickness); });
     }
     return f;
   }
 
-  VectorX on_faces(bool per_volume) {
+  /// @param p  force per area, of a point and the thickness
+  template <class Density>
+  VectorX on_faces(const Density& p) {
     std::vector<bool> face(static_cast<std::size_t>(model_.mesh().topology.num_faces()), false);
     const std::vector<FaceId> faces = chosen_.faces();
     if (faces.empty())
@@ -92,17 +104,15 @@ class LoadAssembler {
                        file(), load_.line, load_.where);
     for (const FaceId f : faces)
       face[static_cast<std::size_t>(f.value)] = true;
-    // One assembly per thickness that occurs.
-    VectorX f = VectorX::Zero(2 * static_cast<Eigen::Index>(model_.space->num_dofs()));
+    // One assembly per material: thicknesses differ.
+    VectorX f = zero();
     for (int m = 0; m < static_cast<int>(model_.problem.materials.size()); ++m) {
       std::vector<bool> chosen;
       for (std::size_t e = 0; e < model_.material_of_element.size(); ++e)
         chosen.push_back(model_.material_of_element[e] == m &&
                          face[static_cast<std::size_t>(model_.space->elements()[e].face.value)]);
-      const double scale =
-          per_volume ? model_.problem.materials[static_cast<std::size_t>(m)].thickness : 1.0;
-      f +=
-          body_load(*model_.space, chosen, [&](const Vec3& x) -> Vec2 { return scale * value(x); });
+      const double thickness = model_.problem.materials[static_cast<std::size_t>(m)].thickness;
+      f += body_load(*model_.space, chosen, [&](const Vec3& x) { return p(x, thickness); });
     }
     return f;
   }
@@ -118,7 +128,6 @@ class LoadAssembler {
   const PlaneModel& model_;
   const LoadSettings& load_;
   Selection chosen_;
-  double side_thickness_ = 1;
 };
 
 }  // namespace

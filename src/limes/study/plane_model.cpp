@@ -72,6 +72,7 @@ void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& mod
     box.extend(model.limit_points[VertexId(v)]);
   }
   model.diagonal = box.diagonal().norm();
+  model.centre = box.center().head<2>();
   const double z = model.limit_points[VertexId(first)].z();
   model.z = z;
   for (int v = 0; v < mesh.points.size(); ++v) {
@@ -85,7 +86,25 @@ void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& mod
   }
 }
 
+void require_unfolded(const PlaneModel& model) {
+  const std::optional<Fold> fold = find_fold(*model.space);
+  if (!fold) return;
+  throw InputError(
+      "{}: face {}: the surface is folded or degenerate near ({:.6g}, {:.6g}); the faces must "
+      "cover "
+      "the plane once",
+      mesh_path(model.problem).string(), model.control_face(fold->face).value, fold->x.x(),
+      fold->x.y());
+}
+
 }  // namespace
+
+FaceId PlaneModel::control_face(FaceId face) const {
+  int id = face.value;  // see subdiv/split.h
+  for (int level = problem.mesh.levels; level > 1; --level)
+    id /= 4;
+  return problem.mesh.levels > 0 ? Adjacency(control.topology).face(HalfedgeId(id)) : face;
+}
 
 PlaneAssumption PlaneModel::assumption() const {
   return problem.model.kind == ModelKind::plane_strain ? PlaneAssumption::strain
@@ -126,7 +145,7 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
       std::move(mesh), scheme, model.boundary, std::move(regions),
       SpaceOptions{problem.model.boundary == FieldBoundary::free,
                    {problem.model.quadrature_points, problem.model.quadrature_depth}});
-  require_unfolded(*model.space);
+  require_unfolded(model);
   for (const Element& e : model.space->elements()) {
     const int m = material[static_cast<std::size_t>(e.face.value)];
     if (m < 0)

@@ -18,13 +18,16 @@ struct PlaneModel {
 
   IdArray<VertexId, Vec3> limit_points;  ///< of the space's control vertices: what `where` is about
   double diagonal = 0;                   ///< of the box around them
+  Vec2 centre = Vec2::Zero();            ///< of that box
   double z = 0;                          ///< of all of them
   std::vector<int> material_of_element;  ///< index in problem.materials
   ElementStiffness C;                    ///< elasticity matrix times thickness, per element
-  std::vector<std::string> remarks;      ///< of the mesh file's reader
+  std::vector<std::string> remarks;      ///< of the mesh file's reader, and on probes
 
   [[nodiscard]] const Mesh& mesh() const { return space->mesh(); }
   [[nodiscard]] const Adjacency& adjacency() const { return space->geometry().adjacency(); }
+  /// Face of the control mesh that a face of mesh() is part of.
+  [[nodiscard]] FaceId control_face(FaceId face) const;
   [[nodiscard]] PlaneAssumption assumption() const;
   [[nodiscard]] Isotropic material(int element) const;
   [[nodiscard]] double thickness(int element) const;

@@ -39,14 +39,22 @@ MatrixX solve_reduced(const SparseMatrix& K, const std::vector<ConstraintRow>& r
   const MatrixX free = system.solver.solve(reduced);
   solution.num_unknowns = system.fix.num_free();
   solution.solver_residual = system.solver.relative_residual(free, reduced);
+  solution.rounding_floor = system.solver.rounding_floor(free, reduced);
   return system.fix.T * free;
 }
 
+using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
 /// Force and moment of nodal forces. Rigid motions are in the space, so these are exact.
-PlaneResultant resultant_of(const VectorX& f, int dof,
-                            const Eigen::Matrix<double, Eigen::Dynamic, 3>& x) {
-  const Vec2 force = f.segment<2>(2 * dof);
-  return {force.x(), force.y(), x(dof, 0) * force.y() - x(dof, 1) * force.x()};
+PlaneResultant resultant_of(const VectorX& f, const Positions& x,
+                            const Vec2& about = Vec2::Zero()) {
+  PlaneResultant sum = PlaneResultant::Zero();
+  for (Eigen::Index a = 0; a < x.rows(); ++a) {
+    const Vec2 force = f.segment<2>(2 * a);
+    const Vec2 arm = x.row(a).head<2>().transpose() - about;
+    sum += PlaneResultant(force.x(), force.y(), arm.x() * force.y() - arm.y() * force.x());
+  }
+  return sum;
 }
 
 /// The rows of supports, each of length 1, on the unknowns that continuity leaves free.
@@ -65,11 +73,12 @@ SparseMatrix support_rows(const Constraints& constraints, const Elimination& con
   return C;
 }
 
-/// Splits the residual K u - f = C^T lambda among the supports. Forces that only hold the regions of
+/// Splits the residual K u - f = C^T lambda among the supports, and says what they leave of f. Forces that only hold the regions of
 /// the space together are taken out before. Conditions that two supports share are carried by both.
-void set_reactions(const PlaneModel& model, const Constraints& constraints, const VectorX& residual,
-                   PlaneSolution& solution) {
-  const auto x = model.space->position_coefficients();
+void set_reactions(const PlaneModel& model, const Constraints& constraints, const VectorX& f,
+                   const VectorX& residual, PlaneSolution& solution) {
+  const Positions x = model.space->position_coefficients();
+  solution.imbalance = resultant_of(f, x, model.centre);
   const Elimination continuous =
       eliminate(static_cast<int>(residual.size()), on_both_components(continuity(*model.space)));
   const SparseMatrix C = support_rows(constraints, continuous);
@@ -80,10 +89,8 @@ void set_reactions(const PlaneModel& model, const Constraints& constraints, cons
     for (int r = source.first; r < source.last; ++r)
       for (SparseMatrix::InnerIterator it(C, r); it; ++it)
         own(continuous.unknown(static_cast<int>(it.col()))) += lambda(r) * it.value();
-    PlaneResultant sum = PlaneResultant::Zero();
-    for (int a = 0; a < residual.size() / 2; ++a)
-      sum += resultant_of(own, a, x);
-    solution.reactions.push_back({source.where, sum});
+    solution.reactions.push_back({source.where, resultant_of(own, x)});
+    solution.imbalance += resultant_of(own, x, model.centre);
   }
 }
 
@@ -119,11 +126,9 @@ PlaneSolution solve_supported(const PlaneModel& model) {
   solution.u = solve_reduced(K, rows, f, solution);
   const VectorX internal = K * solution.u;
   solution.strain_energy = 0.5 * solution.u.dot(internal);
-  const auto x = model.space->position_coefficients();
   solution.load_size = f.lpNorm<1>();
-  for (int a = 0; a < model.space->num_dofs(); ++a)
-    solution.loads += resultant_of(f, a, x);
-  set_reactions(model, constraints, internal - f, solution);
+  solution.loads = resultant_of(f, model.space->position_coefficients());
+  set_reactions(model, constraints, f, internal - f, solution);
   return solution;
 }
 

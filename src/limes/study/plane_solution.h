@@ -6,7 +6,7 @@
 
 namespace limes {
 
-/// Resultant of forces about the origin: fx, fy, moment about z.
+/// Resultant of forces: fx, fy, moment about z; about the origin unless another point is named.
 using PlaneResultant = Vec3;
 
 /// The solution of a plane problem.
@@ -17,8 +17,11 @@ struct PlaneSolution {
   int num_unknowns = 0;        ///< after elimination
   double strain_energy = 0;    ///< of the modelled part
   double solver_residual = 0;  ///< relative
+  double rounding_floor = 0;   ///< what rounding alone may leave of it
   PlaneResultant loads = PlaneResultant::Zero();
   double load_size = 0;  ///< sum of the magnitudes of all nodal loads
+  /// Of loads and reactions together, about the model's centre: zero but for rounding.
+  PlaneResultant imbalance = PlaneResultant::Zero();
   struct Reaction {
     std::string where;  ///< of the support
     PlaneResultant force;

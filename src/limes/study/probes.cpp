@@ -1,5 +1,7 @@
 #include "limes/study/probes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -75,8 +77,8 @@ Candidate descend(const SubdivisionSpace& space, Candidate c, const Vec3& at) {
   return c;
 }
 
-Candidate nearest(const SubdivisionSpace& space, const std::vector<ElementTable>& samples,
-                  const Vec3& at) {
+Candidate nearest_point(const SubdivisionSpace& space, const std::vector<ElementTable>& samples,
+                        const Vec3& at) {
   Candidate best{std::numeric_limits<double>::infinity(), 0, Vec2::Zero()};
   for (Candidate c : candidates(space, samples, at)) {
     const Element& e = space.elements()[static_cast<std::size_t>(c.element)];
@@ -105,12 +107,25 @@ std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& sol
   for (const ProbeSettings& p : model.problem.probes) {
     Vec3 at = p.at;
     at.z() = model.z;  // plane models: z is not asked for
-    const Candidate c = nearest(space, samples, at);
+    const Candidate c = nearest_point(space, samples, at);
     const int shape = space.elements()[static_cast<std::size_t>(c.element)].shape;
     const PlaneState state =
         states(model, solution, c.element, space.sample(shape, {c.uv})).front();
     out.push_back({p.name, p.at, std::sqrt(c.distance2), c.element, c.uv, state});
   }
+  return out;
+}
+
+std::vector<std::string> remarks_on(const std::vector<ProbeResult>& probes,
+                                    const PlaneModel& model) {
+  std::vector<std::string> out;
+  for (const ProbeResult& p : probes)
+    if (p.distance > 0.01 * model.diagonal)
+      out.push_back(fmt::format(
+          "{}: probe '{}' at ({:.6g}, {:.6g}) is {:.3g} away from the surface; its values are "
+          "those of the nearest point ({:.6g}, {:.6g})",
+          model.problem.file.string(), p.name, p.at.x(), p.at.y(), p.distance, p.state.x.x(),
+          p.state.x.y()));
   return out;
 }
 

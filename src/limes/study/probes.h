@@ -18,4 +18,8 @@ struct ProbeResult {
 [[nodiscard]] std::vector<ProbeResult> probe(const PlaneModel& model,
                                              const PlaneSolution& solution);
 
+/// One remark per probe that lies away from the surface by more than 1 % of the model's diagonal.
+[[nodiscard]] std::vector<std::string> remarks_on(const std::vector<ProbeResult>& probes,
+                                                  const PlaneModel& model);
+
 }  // namespace limes

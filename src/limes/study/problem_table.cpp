@@ -8,8 +8,8 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/nearest.h"
 #include "limes/study/selection.h"
+#include "limes/study/suggest.h"
 
 namespace limes::problem_file {
 namespace {

@@ -23,7 +23,7 @@ struct PlaneResult {
                                                  bool with_timings = true);
 
 /// result.vtu: curved cells of degree 3 (on which displacements are exact) with displacement, stress,
-/// strain, von Mises stress as nodal values, material and control face per cell.
+/// strain, von Mises stress as nodal values, material and face of the refined mesh per cell.
 void write_result_vtu(const std::filesystem::path& file, const PlaneResult& result);
 
 /// report.html: numbers, pictures and checks in one file.

@@ -154,7 +154,7 @@ void add_checks(const PlaneResult& result, HtmlReport& report) {
   std::vector<Check> checks;
   for (const SolutionCheck& c : result.checks)
     checks.push_back({c.name, fmt::format("{:.2e}", c.value),
-                      fmt::format("at most {:.0e}", c.limit), c.passed()});
+                      fmt::format("at most {:.2g}", c.limit), c.passed()});
   report.checks(checks);
 }
 

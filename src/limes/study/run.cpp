@@ -43,6 +43,8 @@ PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
       phase("model", [&] { return read_model(problem, options); }), {}, {}, {}, {}, 0};
   result.solution = phase("solve", [&] { return solve_plane(result.model); });
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
+  for (std::string& remark : remarks_on(result.probes, result.model))
+    result.model.remarks.push_back(std::move(remark));
   result.checks = phase("checks", [&] { return check_solution(result.model, result.solution); });
   result.timings = std::move(timings);
   return result;

@@ -11,7 +11,7 @@
 #include "limes/core/error.h"
 #include "limes/core/text.h"
 #include "limes/study/expression.h"
-#include "limes/study/nearest.h"
+#include "limes/study/suggest.h"
 
 namespace limes {
 namespace {

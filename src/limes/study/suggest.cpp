@@ -1,4 +1,4 @@
-#include "limes/study/nearest.h"
+#include "limes/study/suggest.h"
 
 #include <fmt/format.h>
 
