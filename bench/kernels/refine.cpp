@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "limes/mesh/shapes.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 namespace {

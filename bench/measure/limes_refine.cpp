@@ -2,7 +2,7 @@
 //   --in FILE --scheme catmull-clark --levels N --threads T
 //   --method general (one RefinementStep a level)
 #include "input.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 using namespace bench;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "input.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 using namespace bench;

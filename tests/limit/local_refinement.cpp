@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/split.h"
 
 namespace limes::test {

@@ -8,6 +8,7 @@
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 #include "oracle/correspondence.h"
 #include "oracle/shapes.h"
@@ -54,7 +55,7 @@ double largest_difference(const Correspondence& c, const std::vector<Vec3>& ours
 /// Sharpness as OpenSubdiv has it: edges by their ends, the boundary left out.
 void expect_same_sharpness(const Correspondence& c, const Level& ours,
                            const osd::Far::TopologyLevel& theirs) {
-  const Tags tags = tags_of(ours.adjacency, ours.features);
+  const Tags tags = tags_of(ours.adjacency.topology(), ours.features);
   std::vector<std::array<float, 3>> our_edges, their_edges;
   for (const CreaseTag& t : tags.creases) {
     const auto [a, b] = std::minmax(t.a.value, t.b.value);

@@ -8,6 +8,7 @@
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 // Catmull-Clark's weights as printed in the papers, the numbering, and bits that do not depend on

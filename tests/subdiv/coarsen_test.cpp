@@ -15,6 +15,7 @@
 #include "limes/mesh/defects.h"
 #include "limes/mesh/measure.h"
 #include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
@@ -85,7 +86,7 @@ bool has_full_rank(const Mesh& mesh) {
 /// Sharpness by edge and vertex, whatever the order and direction of the tags.
 Tags sorted(Tags tags, const Topology& topology, BoundaryRule rule) {
   const Adjacency adjacency(topology);
-  Tags result = tags_of(adjacency, resolve_tags(adjacency, tags, rule));
+  Tags result = tags_of(adjacency.topology(), resolve_tags(adjacency, tags, rule));
   result.holes = std::move(tags.holes);
   return result;
 }

@@ -14,6 +14,7 @@
 #include "limes/core/error.h"
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
 // What every scheme must do on every shape.

@@ -4,7 +4,7 @@
 
 #include "limes/core/error.h"
 #include "limes/limit/corner_tangents.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/split.h"
 
 namespace limes {

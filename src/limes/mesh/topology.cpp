@@ -1,5 +1,6 @@
 #include "limes/mesh/topology.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -25,6 +26,18 @@ Topology::Topology(int num_vertices, std::vector<int> offsets, std::vector<Verte
     face_size_ = offset(1);
     offsets_ = {};
   }
+}
+
+FaceId Topology::face_of(HalfedgeId h) const {
+  if (face_size_) return FaceId(h.value / face_size_);
+  const auto after = std::upper_bound(offsets_.begin(), offsets_.end(), h.value);
+  return FaceId(after - offsets_.begin() - 1);
+}
+
+HalfedgeId Topology::next(HalfedgeId h) const {
+  const FaceId f = face_of(h);
+  const HalfedgeId start = halfedge(f, 0);
+  return h.value + 1 < start.value + face_size(f) ? HalfedgeId(h.value + 1) : start;
 }
 
 }  // namespace limes

@@ -39,6 +39,10 @@ class Topology {
     return corners_[static_cast<std::size_t>(h.value)];
   }
   [[nodiscard]] std::span<const VertexId> corners() const { return corners_; }
+  /// Face of a halfedge; O(log num_faces) where faces differ in size (Adjacency::face is not).
+  [[nodiscard]] FaceId face_of(HalfedgeId h) const;
+  /// Next halfedge around the face of h; the same cost.
+  [[nodiscard]] HalfedgeId next(HalfedgeId h) const;
 
   friend bool operator==(const Topology&, const Topology&) = default;
 

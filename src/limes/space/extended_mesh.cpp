@@ -146,7 +146,7 @@ class GhostRing {
   /// Sharpness of the field: inside as given; along the boundary where functions stay standard;
   /// across it where a crease runs out.
   [[nodiscard]] Tags tags() const {
-    Tags tags = tags_of(control_, features_);
+    Tags tags = tags_of(control_.topology(), features_);
     std::vector<bool> regular(static_cast<std::size_t>(control_.topology().num_vertices()), false);
     for (int i = 0; i < num_boundary(); ++i) {
       const BoundaryVertex& b = at(i);

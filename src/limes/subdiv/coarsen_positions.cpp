@@ -5,7 +5,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/subdiv/crease.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/split.h"
 

@@ -76,12 +76,13 @@ Features resolve_tags(const Adjacency& adjacency, const Tags& tags, BoundaryRule
   return features;
 }
 
-Tags tags_of(const Adjacency& adjacency, const Features& features) {
+Tags tags_of(const Topology& topology, const Features& features) {
   Tags tags;
   tags.crease_method = features.crease_method;
   tags.smooth_triangles = features.smooth_triangles;
   for (const SharpEdge& e : features.edges)
-    tags.creases.push_back({adjacency.from(e.halfedge), adjacency.to(e.halfedge), e.sharpness});
+    tags.creases.push_back(
+        {topology.corner(e.halfedge), topology.corner(topology.next(e.halfedge)), e.sharpness});
   for (const SharpVertex& v : features.vertices)
     tags.corners.push_back({v.vertex, v.sharpness});
   return tags;

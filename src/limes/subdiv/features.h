@@ -36,7 +36,7 @@ struct Features {
                                     BoundaryRule boundary);
 
 /// The inverse, for files: features of a refined mesh as tags.
-[[nodiscard]] Tags tags_of(const Adjacency& adjacency, const Features& features);
+[[nodiscard]] Tags tags_of(const Topology& topology, const Features& features);
 
 /// Sharpness by edge and vertex, dense; no memory where nothing is sharp.
 class Sharpness {

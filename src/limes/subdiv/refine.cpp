@@ -1,210 +1,77 @@
 #include "limes/subdiv/refine.h"
 
-#include <memory>
-#include <utility>
-
-#include "limes/core/error.h"
-#include "limes/core/interrupt.h"
-#include "limes/core/parallel.h"
+#include "limes/mesh/adjacency.h"
 #include "limes/subdiv/drop_faces.h"
-#include "limes/subdiv/split.h"
+#include "limes/subdiv/uniform.h"
 
 namespace limes {
 namespace {
 
-void require_faces(const Topology& topology, const Scheme& scheme) {
-  if (scheme.faces == FaceKind::polygons) return;
-  const int wanted = scheme.faces == FaceKind::quads ? 4 : 3;
-  for (int f = 0; f < topology.num_faces(); ++f)
-    if (topology.face_size(FaceId(f)) != wanted)
-      throw InputError("face {} has {} corners; {} takes faces with {} only", f,
-                       topology.face_size(FaceId(f)), scheme.name, wanted);
+/// Faces that a face becomes after some steps of quadrisection: consecutive ones.
+struct Descendants {
+  std::int64_t begin, end;
+};
+Descendants descendants(const Topology& control, FaceId f, int levels) {
+  if (levels == 0) return {f.value, f.value + 1};
+  const std::int64_t first = control.halfedge(f, 0).value;
+  const int shift = 2 * (levels - 1);
+  return {first << shift, (first + control.face_size(f)) << shift};
 }
 
-}  // namespace
-
-void append_stencil_row(int row, const Stencil& stencil, const Topology& topology,
-                        std::vector<Triplet>& out) {
-  for (const Stencil::Group& g : stencil.groups()) {
-    for (const std::int32_t id : stencil.ids(g)) {
-      if (g.source == Stencil::Source::vertex) {
-        out.emplace_back(row, id, g.weight);
-        continue;
-      }
-      const auto corners = topology.face(FaceId(id));
-      const double w = g.weight / static_cast<double>(corners.size());
-      for (const VertexId v : corners)
-        out.emplace_back(row, v.value, w);
-    }
+std::vector<FaceId> descendants(const Topology& control, const std::vector<FaceId>& faces,
+                                int levels) {
+  std::vector<FaceId> all;
+  for (const FaceId f : faces) {
+    const Descendants d = descendants(control, f, levels);
+    for (std::int64_t i = d.begin; i < d.end; ++i)
+      all.push_back(FaceId(i));
   }
+  return all;
 }
 
-RefinementStep::RefinementStep(const Adjacency& parent, const Features& features,
-                               const Scheme& scheme)
-    : parent_(&parent), features_(&features), scheme_(&scheme), sharpness_(parent, features) {
-  require_faces(parent.topology(), scheme);
-}
-
-int RefinementStep::num_child_vertices() const {
-  const Topology& t = parent_->topology();
-  return t.num_vertices() + parent_->num_edges() + t.num_faces();
-}
-
-Topology RefinementStep::child_topology() const {
-  return quadrisect(*parent_);
-}
-
-Features RefinementStep::child_features() const {
-  return quadrisect_features(*parent_, *features_);
-}
-
-void RefinementStep::face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const {
-  out.clear();
-  scheme_->face_rule(walk.face(f), out);
-}
-
-void RefinementStep::edge_stencil(NeighbourhoodWalk& walk, EdgeId e, Stencil& out) const {
-  out.clear();
-  scheme_->edge_rule(walk.edge(e), *features_, out);
-}
-
-void RefinementStep::vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const {
-  out.clear();
-  if (parent_->ring_start(v).valid())
-    scheme_->vertex_rule(walk.vertex(v), out);
-  else
-    out.add(1.0, v);
-}
-
-template <class Value>
-void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value> fine) const {
-  const Topology& topology = parent_->topology();
-  LIMES_ASSERT(static_cast<int>(coarse.size()) == topology.num_vertices());
-  LIMES_ASSERT(static_cast<int>(fine.size()) == num_child_vertices());
-  const QuadrisectionIds ids = quadrisection_ids(*parent_);
-  const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
-  const auto slot = [&](VertexId v) -> Value& { return fine[static_cast<std::size_t>(v.value)]; };
-  const auto face_value = [&](std::int32_t f) { return slot(ids.of_face(FaceId(f))); };
-
-  // Face points first: the other rules read them.
-  const auto run = [&](int count, const auto& write) {
-    for_each_block(count, 512, [&](std::int64_t begin, std::int64_t end) {
-      check_interrupt();
-      NeighbourhoodWalk own_walk = walk();
-      Stencil stencil;
-      for (std::int64_t i = begin; i < end; ++i) {
-        const VertexId target = write(own_walk, i, stencil);
-        slot(target) = apply_stencil<Value>(stencil, old_value, face_value);
-      }
-    });
-  };
-  run(topology.num_faces(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    face_stencil(w, FaceId(i), s);
-    return ids.of_face(FaceId(i));
-  });
-  run(parent_->num_edges(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    edge_stencil(w, EdgeId(i), s);
-    return ids.of_edge(EdgeId(i));
-  });
-  run(topology.num_vertices(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    vertex_stencil(w, VertexId(i), s);
-    return ids.of_vertex(VertexId(i));
-  });
-}
-
-void RefinementStep::apply(std::span<const double> coarse, std::span<double> fine) const {
-  apply_values(coarse, fine);
-}
-void RefinementStep::apply(std::span<const Vec2> coarse, std::span<Vec2> fine) const {
-  apply_values(coarse, fine);
-}
-void RefinementStep::apply(std::span<const Vec3> coarse, std::span<Vec3> fine) const {
-  apply_values(coarse, fine);
-}
-
-SparseMatrix RefinementStep::matrix() const {
-  const Topology& topology = parent_->topology();
-  const QuadrisectionIds ids = quadrisection_ids(*parent_);
-  std::vector<Triplet> entries;
-  Stencil stencil;
-  NeighbourhoodWalk own_walk = walk();
-  for (int v = 0; v < topology.num_vertices(); ++v) {
-    vertex_stencil(own_walk, VertexId(v), stencil);
-    append_stencil_row(ids.of_vertex(VertexId(v)).value, stencil, topology, entries);
-  }
-  for (int e = 0; e < parent_->num_edges(); ++e) {
-    edge_stencil(own_walk, EdgeId(e), stencil);
-    append_stencil_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
-  }
-  for (int f = 0; f < topology.num_faces(); ++f) {
-    face_stencil(own_walk, FaceId(f), stencil);
-    append_stencil_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
-  }
-  SparseMatrix S(num_child_vertices(), topology.num_vertices());
-  S.setFromTriplets(entries.begin(), entries.end());
-  return S;
-}
-
-namespace {
-
-/// Child faces of a sorted list of faces, ascending.
-std::vector<FaceId> children_of(const Topology& parent, const std::vector<FaceId>& faces) {
-  std::vector<FaceId> children;
-  for (const FaceId f : faces)
-    for (int i = 0; i < parent.face_size(f); ++i)
-      children.push_back(quadrisection_child(parent.halfedge(f, i)));
-  return children;
-}
-
-std::vector<FaceGroup> children_of(const Topology& parent, const std::vector<FaceGroup>& groups) {
-  std::vector<FaceGroup> children;
+std::vector<FaceGroup> descendants(const Topology& control, const std::vector<FaceGroup>& groups,
+                                   int levels) {
+  std::vector<FaceGroup> all;
   for (const FaceGroup& g : groups)
-    children.push_back({g.name, children_of(parent, g.faces)});
-  return children;
+    all.push_back({g.name, descendants(control, g.faces, levels)});
+  return all;
+}
+
+std::vector<bool> descendants(const Topology& control, const std::vector<bool>& marked,
+                              int levels) {
+  std::vector<bool> all;
+  for (int f = 0; f < control.num_faces(); ++f) {
+    const Descendants d = descendants(control, FaceId(f), levels);
+    all.insert(all.end(), static_cast<std::size_t>(d.end - d.begin),
+               marked[static_cast<std::size_t>(f)]);
+  }
+  return all;
 }
 
 }  // namespace
 
 Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
-  Mesh current = mesh;
-  current.face_lines.clear();
-  auto adjacency = std::make_unique<Adjacency>(current.topology);
-  Features features = resolve_tags(*adjacency, mesh.tags, options.boundary);
-  std::vector<bool> dropped;
-  if (options.boundary == BoundaryRule::none && scheme.reach > 0)
-    dropped = unsupported_faces(*adjacency, mesh.tags);
-
-  for (int level = 0; level < options.levels; ++level) {
-    check_interrupt();
-    const RefinementStep step(*adjacency, features, scheme);
-    Mesh child;
-    child.topology = step.child_topology();
-    child.points.resize(static_cast<std::size_t>(step.num_child_vertices()));
-    step.apply(current.points.span(), child.points.span());
-    Features child_features = step.child_features();
-    child.tags.holes = children_of(current.topology, current.tags.holes);
-    child.groups = children_of(current.topology, current.groups);
-    child.parts = children_of(current.topology, current.parts);
-    if (!dropped.empty()) {
-      std::vector<bool> children;
-      for (int f = 0; f < current.topology.num_faces(); ++f)
-        children.insert(children.end(),
-                        static_cast<std::size_t>(current.topology.face_size(FaceId(f))),
-                        dropped[static_cast<std::size_t>(f)]);
-      dropped = std::move(children);
-    }
-    current = std::move(child);
-    features = std::move(child_features);
-    adjacency = std::make_unique<Adjacency>(current.topology, Adjacency::Check::edges);
+  const Adjacency adjacency(mesh.topology);
+  Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
+  Mesh fine;
+  if (options.levels == 0) {
+    fine.topology = mesh.topology;
+    fine.points = mesh.points;
+  } else {
+    UniformRefinement refinement(adjacency, features, scheme, options.levels);
+    fine.topology = refinement.topology();
+    fine.points.resize(static_cast<std::size_t>(refinement.num_vertices()));
+    refinement.positions(mesh.points.span(), fine.points.span());
+    features = refinement.features();
   }
-
-  const std::vector<FaceId> holes = std::move(current.tags.holes);
-  current.tags = tags_of(*adjacency, features);
-  current.tags.holes = holes;
-  current.tags.boundary = mesh.tags.boundary;
-  adjacency.reset();
-  if (!dropped.empty()) return without_faces(current, dropped);
-  return current;
+  fine.tags = tags_of(fine.topology, features);
+  fine.tags.holes = descendants(mesh.topology, mesh.tags.holes, options.levels);
+  fine.tags.boundary = mesh.tags.boundary;
+  fine.groups = descendants(mesh.topology, mesh.groups, options.levels);
+  fine.parts = descendants(mesh.topology, mesh.parts, options.levels);
+  if (options.boundary != BoundaryRule::none || scheme.reach == 0) return fine;
+  const std::vector<bool> dropped = unsupported_faces(adjacency, mesh.tags);
+  return without_faces(fine, descendants(mesh.topology, dropped, options.levels));
 }
 
 }  // namespace limes

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+
+#include "limes/subdiv/point4.h"
+#include "limes/subdiv/quad_numbering.h"
+#include "limes/subdiv/regular_rules.h"
+
+namespace limes {
+
+/// The points of one control quad at one step of refinement, with a margin of one: the vertices of
+/// the faces around it as if all were regular.
+///
+///      o   o   o   o   o
+///        +---+---+---+          n = 3 cells a side; + vertices (i, j), 0 <= i, j <= n
+///      o | · | · | · | o        o margin; · new face points, one per cell, margin cells included
+///        +---+---+---+
+///           . . .
+///
+/// Vertex (i, j) lies at (j + 1) stride + i + 1, the face point of the cell between (i, j) and
+/// (i + 1, j + 1) at (j + 1) (n + 2) + i + 1; i and j start at -1.
+class QuadGrid {
+ public:
+  static constexpr int max_cells = 1 << (QuadNumbering::max_depth - 1);
+
+  void resize(int cells) { n_ = cells; }
+  [[nodiscard]] int cells() const { return n_; }
+  [[nodiscard]] int stride() const { return n_ + 3; }
+  [[nodiscard]] int vertex_index(int i, int j) const { return (j + 1) * stride() + i + 1; }
+  [[nodiscard]] int face_stride() const { return n_ + 2; }
+  [[nodiscard]] int face_index(int i, int j) const { return (j + 1) * face_stride() + i + 1; }
+
+  [[nodiscard]] const Point4* vertices() const { return vertices_.data(); }
+  [[nodiscard]] Point4& vertex(int index) { return vertices_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const Point4& vertex(int index) const {
+    return vertices_[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] const Point4* faces() const { return faces_.data(); }
+
+  /// New face points of all cells.
+  void make_face_points(const RegularMasks& m);
+
+  /// All points of the grid one step finer, margin included. Precondition: face points are made.
+  void refine(const RegularMasks& m, QuadGrid& fine) const;
+
+  /// New point of the edge between the vertices a and b, next to the face points f and g.
+  [[nodiscard]] Point4 edge_point(const RegularMasks& m, int a, int b, int f, int g) const {
+    const Point4* v = vertices_.data();
+    const Point4* c = faces_.data();
+    return m.edge_ends * (v[a] + v[b]) + m.edge_faces * (c[f] + c[g]);
+  }
+  /// New point of the vertex at index v, whose lower left face point is f.
+  [[nodiscard]] Point4 vertex_point(const RegularMasks& m, int v, int f) const {
+    const Point4* p = vertices_.data() + v;
+    const Point4* c = faces_.data() + f;
+    const int s = stride();
+    const int t = face_stride();
+    return m.vertex_self * p[0] + m.vertex_neighbours * ((p[1] + p[-1]) + (p[s] + p[-s])) +
+           m.vertex_faces * ((c[0] + c[t + 1]) + (c[1] + c[t]));
+  }
+
+ private:
+  int n_ = 0;
+  std::array<Point4, (max_cells + 3) * (max_cells + 3)> vertices_;
+  std::array<Point4, (max_cells + 2) * (max_cells + 2)> faces_;
+};
+
+}  // namespace limes

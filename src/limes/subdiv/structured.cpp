@@ -1,0 +1,269 @@
+#include "limes/subdiv/structured.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+#include "limes/core/parallel.h"
+#include "limes/subdiv/crease.h"
+#include "limes/subdiv/quad_sides.h"
+
+namespace limes {
+
+bool StructuredRefinement::applies(const Topology& topology, const Features& features,
+                                   const Scheme& scheme) {
+  const bool varying = features.crease_method != CreaseMethod::uniform &&
+                       std::any_of(features.edges.begin(), features.edges.end(),
+                                   [](const SharpEdge& e) { return !is_infinite(e.sharpness); });
+  return topology.uniform_face_size() == 4 && !varying && regular_masks(scheme).has_value();
+}
+
+StructuredRefinement::StructuredRefinement(const Adjacency& control, const Features& features,
+                                           const Scheme& scheme, int depth)
+    : control_(&control),
+      features_(features),
+      scheme_(&scheme),
+      masks_(regular_masks(scheme).value()),
+      numbering_(depth),
+      rings_(control, features, scheme, depth) {
+  LIMES_ASSERT(applies(control.topology(), features, scheme));
+  const Topology& topology = control.topology();
+  const Sharpness sharpness(control, features);
+  lines_.push_back({});  // line 0: smooth
+  quads_.resize(static_cast<std::size_t>(topology.num_faces()));
+  number_runs();
+  for (int f = 0; f < topology.num_faces(); ++f)
+    gather(FaceId(f), sharpness);
+  for (int v = 0; v < topology.num_vertices(); ++v)
+    if (!control.ring_start(VertexId(v)).valid()) unused_.push_back(VertexId(v));
+}
+
+int StructuredRefinement::num_faces() const {
+  return control_->topology().num_faces() << (2 * numbering_.depth());
+}
+
+void StructuredRefinement::number_runs() {
+  const std::int64_t faces = control_->topology().num_faces();
+  std::int64_t vertices = control_->topology().num_vertices();
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (faces << (2 * numbering_.depth() + 2) > most)
+    throw InputError("refinement would have {} faces; at most {} can be numbered",
+                     faces << (2 * numbering_.depth()), most / 4);
+  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+    const std::int64_t n = std::int64_t{1} << (birth - 1);
+    const std::int64_t edges = control_->num_edges() * n + faces * 2 * n * (n - 1);
+    if (vertices + edges + faces * n * n > most)
+      throw InputError("refinement would have {} vertices; at most {} can be numbered",
+                       vertices + edges + faces * n * n, most);
+    first_edge_vertex_[static_cast<std::size_t>(birth)] = static_cast<int>(vertices);
+    first_face_vertex_[static_cast<std::size_t>(birth)] = static_cast<int>(vertices + edges);
+    vertices += edges + faces * n * n;
+  }
+  num_vertices_ = static_cast<int>(vertices);
+}
+
+void StructuredRefinement::gather(FaceId f, const Sharpness& sharpness) {
+  Quad& q = quads_[static_cast<std::size_t>(f.value)];
+  const Topology& topology = control_->topology();
+  if (f.value > 0) {
+    const Quad& before = quad(FaceId(f.value - 1));
+    q.sides_before = before.sides_before + std::popcount(before.owned);
+  } else {
+    q.sides_before = 0;
+  }
+  q.owned = 0;
+  q.own_corners = 0;
+  for (int s = 0; s < 4; ++s)
+    gather_side(f, s, sharpness, q);
+  for (int c = 0; c < 4; ++c) {
+    const HalfedgeId h = topology.halfedge(f, c);
+    const auto slot = static_cast<std::size_t>(c);
+    q.ring[slot] = rings_.ring_of(control_->from(h));
+    q.ring_edge[slot] = q.ring[slot] < 0 ? 0 : rings_.edge_number(h);
+    if (q.ring[slot] < 0 && control_->ring_start(control_->from(h)) == h) q.own_corners |= 1U << c;
+  }
+  auto& runs = runs_[q.owned];
+  if (!runs) runs = std::make_unique<QuadRuns>(numbering_, q.owned);
+}
+
+void StructuredRefinement::gather_side(FaceId f, int side, const Sharpness& sharpness, Quad& q) {
+  const HalfedgeId h = control_->topology().halfedge(f, side);
+  const HalfedgeId twin = control_->twin(h);
+  const EdgeId e = control_->edge(h);
+  if (control_->halfedge(e) == h) q.owned |= 1U << side;
+  q.line[static_cast<std::size_t>(side)] = line_of(sharpness.edge(e), !twin.valid());
+
+  // On the grid of one cell: the two corners, the margin beyond the side and the margin's corner.
+  // Where nothing lies beyond, or something irregular, any point does: nobody reads what comes of it.
+  const QuadSide at(side, 1);
+  const auto slot = [&](GridPoint p) -> VertexId& {
+    return q.control[static_cast<std::size_t>(4 * (p.j + 1) + p.i + 1)];
+  };
+  const GridPoint outwards = -1 * at.inward();
+  const VertexId from = control_->from(h);
+  slot(at.node(0)) = from;
+  slot(at.node(0) + outwards) = from;
+  slot(at.node(1) + outwards) = control_->to(h);
+  slot(at.node(0) + outwards - at.direction()) = from;
+  if (!twin.valid()) return;
+  const HalfedgeId beside = control_->next(twin);
+  slot(at.node(0) + outwards) = control_->to(beside);
+  slot(at.node(1) + outwards) = control_->from(control_->prev(twin));
+  const HalfedgeId opposite = control_->twin(beside);
+  if (opposite.valid())
+    slot(at.node(0) + outwards - at.direction()) = control_->from(control_->prev(opposite));
+}
+
+std::uint16_t StructuredRefinement::line_of(float sharpness, bool boundary) {
+  if (!is_sharp(sharpness)) return 0;
+  const auto same = std::find_if(lines_.begin() + 1, lines_.end(), [&](const Line& l) {
+    return l.sharpness == sharpness && l.boundary == boundary;
+  });
+  if (same != lines_.end()) return static_cast<std::uint16_t>(same - lines_.begin());
+  Line line{sharpness, boundary, {}};
+  for (float s = sharpness; is_sharp(s) && static_cast<int>(line.rules.size()) < numbering_.depth();
+       s = decayed(s))
+    line.rules.push_back(line_rules(*scheme_, s, boundary));
+  lines_.push_back(std::move(line));
+  return static_cast<std::uint16_t>(lines_.size() - 1);
+}
+
+int StructuredRefinement::first_of_edge_run(FaceId f, int birth) const {
+  const int n = 1 << (birth - 1);
+  return first_edge_vertex_[static_cast<std::size_t>(birth)] + f.value * 2 * n * (n - 1) +
+         n * quad(f).sides_before;
+}
+
+int StructuredRefinement::first_of_face_run(FaceId f, int birth) const {
+  const int n = 1 << (birth - 1);
+  return first_face_vertex_[static_cast<std::size_t>(birth)] + f.value * n * n;
+}
+
+int StructuredRefinement::side_vertex(FaceId f, int birth, int side, int step) const {
+  const Quad& q = quad(f);
+  if (((q.owned >> side) & 1U) != 0)
+    return first_of_edge_run(f, birth) + runs(q).side_rank(birth, side, step);
+  const HalfedgeId twin = control_->twin(control_->topology().halfedge(f, side));
+  return side_vertex(control_->face(twin), birth, control_->corner_index(twin),
+                     (1 << (birth - 1)) - 1 - step);
+}
+
+void StructuredRefinement::number_vertices(FaceId f, std::span<int> ids) const {
+  const Quad& q = quad(f);
+  const int side = numbering_.side();
+  const std::uint16_t* place = runs(q).places.data();
+  const auto put = [&](int first, int count) {
+    for (int k = 0; k < count; ++k)
+      ids[*place++] = first + k;
+  };
+  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+    const int n = 1 << (birth - 1);
+    put(first_of_edge_run(f, birth), 2 * n * (n - 1) + n * std::popcount(q.owned));
+    put(first_of_face_run(f, birth), n * n);
+  }
+  for (int s = 0; s < 4; ++s) {
+    const QuadSide at(s, side);
+    const auto id = [&](int along) -> int& {
+      const GridPoint p = at.node(along);
+      return ids[static_cast<std::size_t>((side + 1) * p.j + p.i)];
+    };
+    id(0) = control_->topology().face(f)[static_cast<std::size_t>(s)].value;
+    if (((q.owned >> s) & 1U) != 0) continue;
+    for (int along = 1; along < side; ++along) {
+      const SideStep step = side_step(along, numbering_.depth());
+      id(along) = side_vertex(f, step.birth, s, step.step);
+    }
+  }
+}
+
+void StructuredRefinement::corners(std::span<VertexId> out) const {
+  LIMES_ASSERT(static_cast<std::int64_t>(out.size()) == std::int64_t{4} * num_faces());
+  const int stride = numbering_.side() + 1;
+  const auto place = [&](QuadNumbering::Node n) {
+    return static_cast<std::uint16_t>(stride * n.j + n.i);
+  };
+  struct Places {
+    std::array<std::uint16_t, 4> corners, edges;
+    std::uint16_t middle;
+  };
+  std::vector<Places> cells;
+  for (const QuadNumbering::Cell& c : numbering_.cells()) {
+    Places p{{}, {}, place(c.middle)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      p.corners[k] = place(c.corners[k]);
+      p.edges[k] = place(c.edges[k]);
+    }
+    cells.push_back(p);
+  }
+  constexpr int most = (1 << QuadNumbering::max_depth) + 1;
+  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
+    check_interrupt();
+    std::array<int, most * most> ids;
+    for (std::int64_t f = begin; f < end; ++f) {
+      number_vertices(FaceId(f), ids);
+      VertexId* corner = out.data() + f * (std::int64_t{16} * static_cast<int>(cells.size()));
+      for (const Places& p : cells) {
+        const VertexId middle(ids[p.middle]);
+        VertexId previous(ids[p.edges[3]]);
+        for (std::size_t k = 0; k < 4; ++k, corner += 4) {
+          const VertexId edge(ids[p.edges[k]]);
+          corner[0] = VertexId(ids[p.corners[k]]);
+          corner[1] = edge;
+          corner[2] = middle;
+          corner[3] = previous;
+          previous = edge;
+        }
+      }
+    }
+  });
+}
+
+namespace {
+
+/// The halfedges along a control halfedge after some steps, from its start to its end.
+std::vector<std::int64_t> refined_halfedge(HalfedgeId h, int depth) {
+  std::vector<std::int64_t> parts{h.value};
+  for (int step = 0; step < depth; ++step) {
+    std::vector<std::int64_t> halves;
+    for (const std::int64_t p : parts) {
+      halves.push_back(4 * p);  // the child at its start has it as its first side, see split.h
+      halves.push_back(4 * (p - p % 4 + (p + 1) % 4) + 3);
+    }
+    parts = std::move(halves);
+  }
+  return parts;
+}
+
+float decayed_by(int steps, float sharpness) {
+  for (int i = 0; i < steps; ++i)
+    sharpness = decayed(sharpness);
+  return sharpness;
+}
+
+}  // namespace
+
+Features StructuredRefinement::features() const {
+  Features fine;
+  fine.crease_method = features_.crease_method;
+  fine.smooth_triangles = features_.smooth_triangles;
+  const int depth = numbering_.depth();
+  for (const SharpVertex& v : features_.vertices)
+    if (const float s = decayed_by(depth, v.sharpness); is_sharp(s))
+      fine.vertices.push_back({v.vertex, s});
+  for (const SharpEdge& e : features_.edges) {
+    const float s = decayed_by(depth, e.sharpness);
+    const HalfedgeId twin = control_->twin(e.halfedge);
+    if (!is_sharp(s) || !twin.valid()) continue;
+    const auto parts = refined_halfedge(e.halfedge, depth);
+    const auto others = refined_halfedge(twin, depth);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      fine.edges.push_back({HalfedgeId(std::min(parts[i], others[parts.size() - 1 - i])), s});
+  }
+  std::sort(fine.edges.begin(), fine.edges.end(),
+            [](const SharpEdge& a, const SharpEdge& b) { return a.halfedge < b.halfedge; });
+  return fine;
+}
+
+}  // namespace limes

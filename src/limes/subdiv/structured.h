@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "limes/mesh/adjacency.h"
+#include "limes/subdiv/corner_rings.h"
+#include "limes/subdiv/quad_grid.h"
+#include "limes/subdiv/quad_runs.h"
+
+namespace limes {
+
+/// Several steps of quadrisection of a mesh of quads at once. Each control quad is refined as a small
+/// grid in the cache and only its last step is written:
+///
+///      o . + . + . o      o  margin: the faces around, refined along with the grid
+///      . +-------+ .      +  vertices of the quad, step by step: 2 x 2, 3 x 3, 5 x 5, ...
+///      + |  grid | +      at its corners CornerRings takes over unless they are regular, and
+///      . +-------+ .      along sharp sides LineRules does
+///      o . + . + . o
+///
+/// Vertices on a side are computed by both quads and written by the one that owns the side, vertices
+/// at corners by the ring or by the first face. All weights come from the scheme's rules, in their
+/// order of summation, so vertices have the same bits and the same numbers as with RefinementStep.
+class StructuredRefinement {
+ public:
+  /// Whether the class can refine this mesh: quads only, no semi-sharp edges with Chaikin's method,
+  /// and a scheme whose regular rules are those of RegularMasks.
+  [[nodiscard]] static bool applies(const Topology& topology, const Features& features,
+                                    const Scheme& scheme);
+
+  /// Keeps references to all but the features. Precondition: applies(...).
+  /// @param depth  number of steps, 1 <= depth <= QuadNumbering::max_depth
+  /// @throws InputError if the result would have more vertices or corners than can be numbered
+  StructuredRefinement(const Adjacency& control, const Features& features, const Scheme& scheme,
+                       int depth);
+
+  [[nodiscard]] int num_vertices() const { return num_vertices_; }
+  [[nodiscard]] int num_faces() const;
+
+  /// Positions of all vertices after the last step. Not to be called from several threads at once.
+  /// @param control  one per control vertex
+  /// @param fine     num_vertices() positions, written
+  void positions(std::span<const Vec3> control, std::span<Vec3> fine);
+
+  /// Renews those positions that change when some control vertices have moved.
+  void update(std::span<const Vec3> control, std::span<const VertexId> moved, std::span<Vec3> fine);
+
+  /// Corners of all faces after the last step, 4 num_faces() vertices, written.
+  void corners(std::span<VertexId> out) const;
+
+  /// Features of the refined mesh.
+  [[nodiscard]] Features features() const;
+
+ private:
+  struct Quad {
+    std::array<VertexId, 16> control;   // grid of one cell with its margin, row by row
+    std::array<int, 4> ring;            // of the corners, -1: regular
+    std::array<int, 4> ring_edge;       // number there of the side that starts at the corner
+    std::array<std::uint16_t, 4> line;  // rules of the sides, in lines_; 0: smooth
+    OwnedSides owned;
+    unsigned own_corners;  // regular corners that this quad writes
+    int sides_before;      // sides owned by the quads before this one
+  };
+  struct Line {
+    float sharpness;
+    bool boundary;
+    std::vector<LineRules> rules;  // by step; none where no longer sharp
+  };
+
+  void gather(FaceId f, const Sharpness& sharpness);
+  void gather_side(FaceId f, int side, const Sharpness& sharpness, Quad& quad);
+  void number_runs();
+  [[nodiscard]] std::uint16_t line_of(float sharpness, bool boundary);
+
+  [[nodiscard]] const Quad& quad(FaceId f) const {
+    return quads_[static_cast<std::size_t>(f.value)];
+  }
+  [[nodiscard]] const QuadRuns& runs(const Quad& q) const { return *runs_[q.owned]; }
+  [[nodiscard]] int first_of_edge_run(FaceId f, int birth) const;
+  [[nodiscard]] int first_of_face_run(FaceId f, int birth) const;
+  [[nodiscard]] int side_vertex(FaceId f, int birth, int side, int step) const;
+
+  void refine_ring(int ring, std::span<const Vec3> control, std::span<Vec3> fine);
+  void refine_quad(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const;
+  void apply_lines(const Quad& q, int step, const QuadGrid& grid, QuadGrid& fine) const;
+  void take_corners(const Quad& q, int step, QuadGrid& grid) const;
+  void write_runs(FaceId f, const QuadGrid& grid, std::span<Vec3> fine) const;
+  void write_corners(const Quad& q, const QuadGrid& grid, std::span<Vec3> fine) const;
+  void write_lines(FaceId f, const QuadGrid& grid, std::span<Vec3> fine) const;
+  void number_vertices(FaceId f, std::span<int> ids) const;
+
+  const Adjacency* control_;
+  Features features_;
+  const Scheme* scheme_;
+  RegularMasks masks_;
+  QuadNumbering numbering_;
+  CornerRings rings_;
+  std::vector<Quad> quads_;
+  std::vector<Line> lines_;
+  std::array<std::unique_ptr<QuadRuns>, 16> runs_;  // by OwnedSides; only those that occur
+  std::array<int, QuadNumbering::max_depth + 1> first_edge_vertex_{};  // by birth
+  std::array<int, QuadNumbering::max_depth + 1> first_face_vertex_{};
+  std::vector<VertexId> unused_;  // control vertices without faces
+  int num_vertices_ = 0;
+};
+
+}  // namespace limes

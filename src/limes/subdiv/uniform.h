@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "limes/subdiv/refinement_step.h"
+#include "limes/subdiv/structured.h"
+
+namespace limes {
+
+/// A mesh refined uniformly any number of times, without the meshes in between where that can be
+/// had: the first steps by the general rules (RefinementStep), as many as it takes until all faces
+/// are quads and not more than QuadNumbering::max_depth steps are left; those by StructuredRefinement
+/// if it applies. Which way a vertex was made shows neither in its number nor in its bits.
+///
+/// Holds what depends on the topology, so that positions() may be called again for other control
+/// points: no table is built, and no memory taken.
+class UniformRefinement {
+ public:
+  /// Keeps references to the adjacency and the scheme.
+  /// @param levels  number of steps, >= 1
+  /// @throws InputError if the scheme does not fit the faces, or if the result has too many vertices
+  UniformRefinement(const Adjacency& control, const Features& features, const Scheme& scheme,
+                    int levels);
+  ~UniformRefinement();
+
+  [[nodiscard]] int num_vertices() const;
+  [[nodiscard]] int num_faces() const;
+
+  /// Positions of the refined vertices. The same bits for any number of threads; not to be called
+  /// from several threads at once.
+  /// @param control  one per control vertex
+  /// @param fine     num_vertices() positions, written
+  void positions(std::span<const Vec3> control, std::span<Vec3> fine);
+
+  /// Renews the positions that change when control vertices have moved: costs as much as there is to
+  /// renew. Precondition: positions() was called before, with control points that differ in `moved`
+  /// only.
+  void update(std::span<const Vec3> control, std::span<const VertexId> moved, std::span<Vec3> fine);
+
+  /// Corners of the refined faces, 4 num_faces() vertices, written.
+  void corners(std::span<VertexId> out) const;
+  [[nodiscard]] Topology topology() const;
+  [[nodiscard]] Features features() const;
+
+ private:
+  struct GeneralStep;
+
+  const Adjacency* control_;
+  std::vector<std::unique_ptr<GeneralStep>> general_;
+  std::optional<StructuredRefinement> structured_;
+};
+
+}  // namespace limes
