@@ -93,33 +93,75 @@ TEST_F(Write, SaysWhatIsLost) {
   const std::string off = (folder_ / "a.off").string();
   EXPECT_EQ(
       write_mesh(off, m),
-      (std::vector{off + ": Geomview OFF keeps no hole tags; 1 hole faces left out",
-                   off + ": Geomview OFF keeps no sharpness; 1 creases and 0 corners lost",
+      (std::vector{off + ": Geomview OFF keeps no hole tags; 1 hole face left out",
+                   off + ": Geomview OFF keeps no sharpness; 1 crease lost",
                    off + ": Geomview OFF keeps no rules of subdivision; those of the file lost",
-                   off + ": Geomview OFF keeps no names; 1 groups and 0 parts lost"}));
+                   off + ": Geomview OFF keeps no names; 1 group lost"}));
   const Mesh back = read_mesh(off).mesh;
   EXPECT_EQ(faces_of(back), (Faces{{0, 1, 2, 3}}));  // the hole is a hole
   EXPECT_EQ(write_mesh(folder_ / "a.stl", mesh()).size(), 1U);
+  m = mesh();
+  m.groups = {{"a", {FaceId(0)}}, {"b", {FaceId(1)}}};
+  m.parts = {{"c", {FaceId(0), FaceId(1)}}};
+  EXPECT_EQ(write_mesh(off, m),
+            std::vector{off + ": Geomview OFF keeps no names; 2 groups and 1 part lost"});
 }
 
-TEST_F(Write, AFolderWithoutPermission) {
-  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
-  const Mesh m = mesh();
+/// Whether somebody who is not root is refused to write a file. In a process of its own: 0 is yes.
+int refused_without_rights(const fs::path& file, const Mesh& mesh) {
   const pid_t child = fork();
-  ASSERT_GE(child, 0);
   if (child == 0) {
     if (geteuid() == 0 && setuid(65534) != 0) _exit(2);  // root may write everywhere; nobody not
     try {
-      write_mesh(folder_ / "a.obj", m);
+      write_mesh(file, mesh);
     } catch (const OutputError&) {
       _exit(0);
     }
     _exit(1);
   }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_EQ(status, 0);
+  int status = -1;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(Write, HolesOnlyNeedAFormatWithTags) {
+  Mesh m = mesh();
+  m.tags.holes = {FaceId(0), FaceId(1)};
+  write_mesh(folder_ / "a.obj", m);
+  EXPECT_EQ(read_mesh(folder_ / "a.obj").mesh.tags.holes.size(), 2U);
+  EXPECT_THROW(write_mesh(folder_ / "a.off", m), OutputError);
+  EXPECT_EQ(files(), std::vector<std::string>{"a.obj"});
+}
+
+TEST_F(Write, AFolderWithoutPermission) {
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
+  EXPECT_EQ(refused_without_rights(folder_ / "a.obj", mesh()), 0);
   EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Write, AFileWithoutPermissionInAFolderWithIt) {
+  fs::permissions(folder_, fs::perms::all);
+  std::ofstream(folder_ / "a.obj") << "precious";
+  fs::permissions(folder_ / "a.obj", fs::perms::owner_read | fs::perms::others_read);
+  EXPECT_EQ(refused_without_rights(folder_ / "a.obj", mesh()), 0);
+  EXPECT_EQ(content(folder_ / "a.obj"), "precious");
+  EXPECT_EQ(files(), std::vector<std::string>{"a.obj"});
+}
+
+TEST_F(Write, LinksAreFollowed) {
+  fs::create_directory(folder_ / "there");
+  fs::create_symlink("second.off", folder_ / "first.off");  // nothing is at its end yet
+  fs::create_symlink(fs::path("there") / "mesh.off", folder_ / "second.off");
+  for (int times = 0; times < 2; ++times) {
+    write_mesh(folder_ / "first.off", mesh());
+    EXPECT_TRUE(fs::is_symlink(folder_ / "first.off"));
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder_ / "there" / "mesh.off")));
+  }
+  fs::create_symlink("round.off", folder_ / "round.off");
+  EXPECT_THROW(write_mesh(folder_ / "round.off", mesh()), OutputError);
+  fs::create_symlink("none/mesh.off", folder_ / "nowhere.off");
+  EXPECT_THROW(write_mesh(folder_ / "nowhere.off", mesh()), OutputError);
+  EXPECT_EQ(files().size(), 5U);
 }
 
 TEST_F(Write, AFolderThatDoesNotExist) {
@@ -180,7 +222,10 @@ TEST_F(Write, FilesThatCannotBeRead) {
     }
   };
   EXPECT_EQ(why(folder_ / "none.obj"), ": no such file");
-  EXPECT_EQ(why(folder_ / "none.xyz"),
+  EXPECT_EQ(why(folder_ / "none"), ": no such file");
+  EXPECT_EQ(why(folder_), ": is a directory; a mesh file is right");
+  std::ofstream(folder_ / "a.xyz") << "v 0 0 0\n";
+  EXPECT_EQ(why(folder_ / "a.xyz"),
             ": meshes of type '.xyz' cannot be read; .obj, .off, .ply and .stl can");
   EXPECT_EQ(mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
   EXPECT_EQ(why(folder_ / "pipe.obj"), ": is no regular file");

@@ -1,5 +1,9 @@
 #include "limes/core/atomic_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -10,13 +14,27 @@ namespace limes {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Whether bytes go there one by one, because nothing could be renamed onto it.
+bool is_written_directly(const fs::path& target) {
+  std::error_code ignored;
+  if (is_standard_output(target)) return true;
+  return fs::exists(target, ignored) && !fs::is_regular_file(target, ignored);
+}
+
+}  // namespace
+
+bool is_standard_output(const fs::path& target) {
+  struct stat there {};
+  struct stat output {};
+  return stat(target.string().c_str(), &there) == 0 && fstat(STDOUT_FILENO, &output) == 0 &&
+         there.st_dev == output.st_dev && there.st_ino == output.st_ino;
+}
+
 AtomicFile::AtomicFile(const fs::path& target) : shown_(target), target_(target) {
   std::error_code ignored;
   if (fs::is_directory(target_, ignored)) fail("it is a directory");
-  if (fs::is_symlink(target_, ignored)) {
-    const fs::path resolved = fs::weakly_canonical(target_, ignored);
-    if (!resolved.empty()) target_ = resolved;
-  }
   open();
 }
 
@@ -25,13 +43,26 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::open() {
-  std::error_code ignored;
-  if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
-    file_ = std::fopen(target_.string().c_str(), "wb");
+  if (is_written_directly(target_)) {
+    file_ = std::fopen(target_.string().c_str(), "ab");
     if (!file_) fail_with_errno();
     return;
   }
-  // 'x' never takes over a file that exists, so two processes cannot share a temporary file
+  std::error_code ignored;
+  constexpr int most_links = 40;  // as many as the system follows
+  for (int links = 0; fs::is_symlink(target_, ignored); ++links) {
+    if (links == most_links) fail("too many symbolic links");
+    target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
+  }
+  // Renaming asks the folder only; a file that is protected shall stay.
+  if (fs::exists(target_, ignored) &&
+      faccessat(AT_FDCWD, target_.string().c_str(), W_OK, AT_EACCESS) != 0)
+    fail_with_errno();
+  open_temporary();
+}
+
+/// 'x' never takes over a file that exists, so two processes cannot share a temporary file.
+void AtomicFile::open_temporary() {
   for (int attempt = 0; attempt < 1000 && !file_; ++attempt) {
     temporary_ = target_;
     temporary_ += fmt::format(".tmp{}", attempt);
@@ -80,6 +111,11 @@ void AtomicFile::fail(const std::string& reason) const {
 
 void AtomicFile::fail_with_errno() const {
   fail(std::generic_category().message(errno));
+}
+
+void require_writable(const fs::path& target) {
+  if (std::error_code ignored; fs::is_directory(target, ignored) || !is_written_directly(target))
+    const AtomicFile probe(target);
 }
 
 void write_file(const fs::path& target, std::string_view bytes) {

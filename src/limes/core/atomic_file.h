@@ -8,8 +8,8 @@ namespace limes {
 
 /// A file that appears complete or not at all: writes go to a temporary file in the same folder,
 /// commit() renames it to the target; without commit() the destructor removes it and an older file
-/// stays as it was. A symbolic link is followed. A target that is no regular file (/dev/null, a
-/// pipe) is written directly.
+/// stays as it was. Symbolic links are followed, and a file that may not be written is not replaced.
+/// A target that is no regular file (/dev/null, a pipe) and standard output are written directly.
 class AtomicFile {
  public:
   /// @throws OutputError "PATH: cannot be written: reason", like every member
@@ -23,6 +23,7 @@ class AtomicFile {
 
  private:
   void open();
+  void open_temporary();
   void discard() noexcept;
   [[noreturn]] void fail(const std::string& reason) const;
   [[noreturn]] void fail_with_errno() const;
@@ -32,6 +33,13 @@ class AtomicFile {
   std::filesystem::path temporary_;  // empty: written directly
   std::FILE* file_ = nullptr;
 };
+
+/// Whether a path is the file, pipe or terminal of standard output: /dev/stdout, a link to it.
+[[nodiscard]] bool is_standard_output(const std::filesystem::path& target);
+
+/// Fails now rather than after the work that makes the bytes. Leaves nothing behind.
+/// @throws OutputError as AtomicFile does
+void require_writable(const std::filesystem::path& target);
 
 /// The common case: all bytes at once.
 void write_file(const std::filesystem::path& target, std::string_view bytes);

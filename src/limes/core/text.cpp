@@ -97,6 +97,10 @@ bool is_valid_utf8(std::string_view text) {
   return true;
 }
 
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string quote(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "'";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ namespace limes {
 /// ASCII letters only.
 [[nodiscard]] std::string to_lower(std::string_view text);
 [[nodiscard]] bool is_valid_utf8(std::string_view text);
+
+/// A number with its noun: "1 face", "3 faces".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
 /// A piece of a file as it may appear in a message: 'text' in quotes, one line, at most 40
 /// characters, anything but printable ASCII shown as '?'.

@@ -12,6 +12,7 @@
 
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/core/text.h"
 
 namespace limes {
@@ -50,7 +51,8 @@ const Format* find_format(const fs::path& file) {
   return format == all_formats.end() ? nullptr : &*format;
 }
 
-std::string read_bytes(const fs::path& path) {
+/// @throws InputError unless a mesh file may be there, whatever its extension
+void require_file(const fs::path& path) {
   const std::string name = path.string();
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -58,10 +60,15 @@ std::string read_bytes(const fs::path& path) {
   if (error) throw InputError("{}: cannot be read: {}", name, error.message());
   if (fs::is_directory(status)) throw InputError("{}: is a directory; a mesh file is right", name);
   if (!fs::is_regular_file(status)) throw InputError("{}: is no regular file", name);
+}
+
+std::string read_bytes(const fs::path& path) {
+  const std::string name = path.string();
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"),
                                                              std::fclose);
   if (!file) throw InputError("{}: {}", name, std::generic_category().message(errno));
   std::string bytes;
+  std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   try {
     bytes.resize(error ? 0 : static_cast<std::size_t>(size));
@@ -71,6 +78,14 @@ std::string read_bytes(const fs::path& path) {
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
   if (error || std::ferror(file.get()) != 0) throw InputError("{}: cannot be read", name);
   return bytes;
+}
+
+/// A file without faces could not be read again.
+void check_faces(const fs::path& file, const Format& format, const Mesh& mesh) {
+  const auto num_faces = static_cast<std::size_t>(mesh.topology.num_faces());
+  if (!format.tags && num_faces > 0 && mesh.tags.holes.size() == num_faces)
+    throw OutputError("{}: cannot be written: every face is a hole, and {} keeps no hole tags",
+                      file.string(), format.name);
 }
 
 void check_coordinates(const fs::path& file, const Format& format, const Mesh& mesh) {
@@ -101,6 +116,14 @@ Mesh without_holes(const Mesh& mesh) {
   return result;
 }
 
+/// "2 creases and 1 corner": of two kinds those that are there.
+std::string both(std::size_t a, std::string_view one_a, std::string_view many_a, std::size_t b,
+                 std::string_view one_b, std::string_view many_b) {
+  if (b == 0) return counted(a, one_a, many_a);
+  if (a == 0) return counted(b, one_b, many_b);
+  return counted(a, one_a, many_a) + " and " + counted(b, one_b, many_b);
+}
+
 std::vector<std::string> losses(const fs::path& file, const Format& format, const Mesh& mesh) {
   std::vector<std::string> remarks;
   const auto add = [&](std::string what) {
@@ -108,17 +131,19 @@ std::vector<std::string> losses(const fs::path& file, const Format& format, cons
   };
   const Tags& tags = mesh.tags;
   if (!format.tags && !tags.holes.empty())
-    add(fmt::format("{} keeps no hole tags; {} hole faces left out", format.name,
-                    tags.holes.size()));
+    add(fmt::format("{} keeps no hole tags; {} left out", format.name,
+                    counted(tags.holes.size(), "hole face", "hole faces")));
   if (!format.tags && tags.creases.size() + tags.corners.size() > 0)
-    add(fmt::format("{} keeps no sharpness; {} creases and {} corners lost", format.name,
-                    tags.creases.size(), tags.corners.size()));
+    add(fmt::format(
+        "{} keeps no sharpness; {} lost", format.name,
+        both(tags.creases.size(), "crease", "creases", tags.corners.size(), "corner", "corners")));
   if (!format.tags &&
       (tags.boundary || tags.smooth_triangles || tags.crease_method != CreaseMethod::uniform))
     add(fmt::format("{} keeps no rules of subdivision; those of the file lost", format.name));
   if (!format.names && mesh.groups.size() + mesh.parts.size() > 0)
-    add(fmt::format("{} keeps no names; {} groups and {} parts lost", format.name,
-                    mesh.groups.size(), mesh.parts.size()));
+    add(fmt::format(
+        "{} keeps no names; {} lost", format.name,
+        both(mesh.groups.size(), "group", "groups", mesh.parts.size(), "part", "parts")));
   if (format.write == write_stl)
     add("STL holds triangles in single precision; polygons cut into fans, coordinates rounded");
   return remarks;
@@ -127,6 +152,7 @@ std::vector<std::string> losses(const fs::path& file, const Format& format, cons
 }  // namespace
 
 MeshFile read_mesh(const fs::path& file) {
+  require_file(file);
   const Format* const format = find_format(file);
   if (!format || !format->read)
     throw InputError("{}: meshes of type {} cannot be read; .obj, .off, .ply and .stl can",
@@ -139,9 +165,13 @@ std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh) {
   if (!format || !format->write)
     throw UsageError("{}: meshes of type {} cannot be written; .obj, .off, .ply, .stl and .vtu can",
                      path.string(), quote(extension_of(path)));
+  check_faces(path, *format, mesh);
   check_coordinates(path, *format, mesh);
   AtomicFile file(path);
-  const ByteSink sink = [&](std::string_view bytes) { file.write(bytes); };
+  const ByteSink sink = [&](std::string_view bytes) {
+    check_interrupt();
+    file.write(bytes);
+  };
   if (format->tags || mesh.tags.holes.empty())
     format->write(sink, mesh);
   else

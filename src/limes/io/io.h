@@ -24,9 +24,10 @@ struct MeshFile {
 
 /// Writes obj, off, ply, stl or vtu, chosen by the extension; the file appears complete or not at
 /// all (core/atomic_file.h). Coordinates read back to the same doubles, except from stl (float).
-/// Formats without tags get no hole faces.
+/// Formats without tags get no hole faces, and no mesh of which nothing else is left.
 /// @return what the format could not keep, one sentence each
-/// @throws UsageError for an unknown extension, OutputError if the file cannot be written
+/// @throws UsageError for an unknown extension, OutputError if the file cannot be written,
+///         Interrupted (core/interrupt.h)
 std::vector<std::string> write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
 /// The readers on memory. `file` is the name that messages show.

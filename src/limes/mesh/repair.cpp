@@ -4,17 +4,13 @@
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/core/text.h"
 #include "limes/mesh/defect_list.h"
 #include "limes/mesh/duplicates.h"
 #include "limes/mesh/pieces.h"
 
 namespace limes {
 namespace {
-
-/// "1 face", "3 faces"
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// The steps change the mesh one after the other; each says what it did.
 class Repair {
