@@ -8,8 +8,7 @@
 
 #include "limes/core/text.h"
 #include "limes/io/io.h"
-#include "limes/io/lines.h"
-#include "limes/io/mesh_builder.h"
+#include "limes/io/line_mesh_reader.h"
 #include "limes/io/obj_tags.h"
 
 namespace limes {
@@ -42,10 +41,9 @@ constexpr std::size_t most_groups = 64;
 constexpr std::array<std::string_view, 10> ignored_keywords{"vt", "vn", "vp", "usemtl", "mtllib",
                                                             "s",  "l",  "p",  "lod",    "usemap"};
 
-class ObjReader {
+class ObjReader : LineMeshReader {
  public:
-  ObjReader(std::string_view text, std::string_view file)
-      : file_(file), lines_(checked_text(text, file)), builder_(file, 1) {}
+  ObjReader(std::string_view text, std::string_view file) : LineMeshReader(text, file, 1) {}
 
   MeshFile read();
 
@@ -58,14 +56,6 @@ class ObjReader {
   std::int64_t corner_vertex(std::string_view corner) const;
   std::string valid_name(std::string_view name);
 
-  template <class... Args>
-  [[nodiscard]] InputError error(fmt::format_string<Args...> format, Args&&... args) const {
-    return error_at(file_, lines_.number(), format, std::forward<Args>(args)...);
-  }
-
-  std::string_view file_;
-  LineReader lines_;
-  MeshBuilder builder_;
   std::vector<ObjTag> tags_;
   std::int64_t face_statements_ = 0;
   std::vector<std::int64_t> skipped_faces_;

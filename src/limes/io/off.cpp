@@ -6,16 +6,14 @@
 #include "limes/core/text.h"
 #include "limes/io/chunk_writer.h"
 #include "limes/io/io.h"
-#include "limes/io/lines.h"
-#include "limes/io/mesh_builder.h"
+#include "limes/io/line_mesh_reader.h"
 
 namespace limes {
 namespace {
 
-class OffReader {
+class OffReader : LineMeshReader {
  public:
-  OffReader(std::string_view text, std::string_view file)
-      : file_(file), lines_(checked_text(text, file)), builder_(file, 0) {}
+  OffReader(std::string_view text, std::string_view file) : LineMeshReader(text, file, 0) {}
 
   MeshFile read();
 
@@ -27,14 +25,6 @@ class OffReader {
   void read_face();
   void remark_rest();
 
-  template <class... Args>
-  [[nodiscard]] InputError error(fmt::format_string<Args...> format, Args&&... args) const {
-    return error_at(file_, lines_.number(), format, std::forward<Args>(args)...);
-  }
-
-  std::string_view file_;
-  LineReader lines_;
-  MeshBuilder builder_;
   std::vector<std::int64_t> corners_;  // of the face being read
 };
 

@@ -1,10 +1,10 @@
 #include "limes/mesh/adjacency.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/mesh/duplicates.h"
 
 namespace limes {
 namespace {
@@ -25,29 +25,13 @@ std::vector<Ends> halfedge_ends(const Topology& topology) {
   return ends;
 }
 
-/// A vertex that a face uses more than once, if there is one.
-std::optional<VertexId> repeated_corner(std::span<const VertexId> face,
-                                        std::vector<VertexId>& scratch) {
-  if (face.size() <= 8) {
-    for (std::size_t i = 1; i < face.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (face[i] == face[j]) return face[i];
-    return {};
-  }
-  scratch.assign(face.begin(), face.end());
-  std::sort(scratch.begin(), scratch.end());
-  const auto twice = std::adjacent_find(scratch.begin(), scratch.end());
-  if (twice == scratch.end()) return {};
-  return *twice;
-}
-
 void require_simple_faces(const Topology& topology) {
   std::vector<VertexId> scratch;
   for (int f = 0; f < topology.num_faces(); ++f)
-    if (const auto v = repeated_corner(topology.face(FaceId(f)), scratch))
+    if (const VertexId v = repeated_vertex(topology.face(FaceId(f)), scratch); v.valid())
       throw InputError(
           "face {} uses vertex {} twice; every corner of a face must be another vertex", f,
-          v->value);
+          v.value);
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ std::vector<CanonicalFace> canonical_faces(const Topology& topology,
 }  // namespace
 
 VertexId repeated_vertex(std::span<const VertexId> face, std::vector<VertexId>& scratch) {
+  if (face.size() <= 8) {  // comparing pairs beats sorting
+    for (std::size_t i = 1; i < face.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (face[i] == face[j]) return face[i];
+    return {};
+  }
   scratch.assign(face.begin(), face.end());
   std::sort(scratch.begin(), scratch.end());
   const auto twice = std::adjacent_find(scratch.begin(), scratch.end());

@@ -113,12 +113,14 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
   Surface surface;
   surface.points = mesh.points.vector();
   surface.shading = options.direction ? Shading::lit : Shading::flat;
+  std::vector<bool> hole(static_cast<std::size_t>(mesh.topology.num_faces()), false);
+  for (const FaceId f : mesh.tags.holes)
+    hole[static_cast<std::size_t>(f.value)] = true;
   std::array<bool, category_looks.size()> occurs{};
   for (std::size_t t = 0; t < cells.triangles.size(); ++t) {
-    const int face = cells.source[t];
-    const auto& holes = mesh.tags.holes;
-    if (std::find(holes.begin(), holes.end(), FaceId(face)) != holes.end()) continue;
-    const auto category = static_cast<std::size_t>(categories[static_cast<std::size_t>(face)]);
+    const auto face = static_cast<std::size_t>(cells.source[t]);
+    if (hole[face]) continue;
+    const auto category = static_cast<std::size_t>(categories[face]);
     surface.triangles.push_back(cells.triangles[t]);
     surface.triangle_colours.push_back(category_looks[category].colour);
     occurs[category] = true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limes/report/figure.h"
+#include "limes/report/moved_canvas.h"
 #include "limes/report/plot_layout.h"
 
 namespace limes {
@@ -118,37 +119,6 @@ void draw_legend(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
   }
 }
 
-/// The plot below its title; a canvas that shifts all that is drawn on it.
-class ShiftedCanvas final : public Canvas {
- public:
-  ShiftedCanvas(Canvas& target, double down) : target_(target), shift_(0, down) {}
-  void polyline(std::span<const Vec2> points, const Stroke& stroke) override {
-    target_.polyline(shifted(points), stroke);
-  }
-  void polygon(std::span<const Vec2> points, const Paint& paint) override {
-    target_.polygon(shifted(points), paint);
-  }
-  void circle(const Vec2& centre, double radius, const Paint& paint) override {
-    target_.circle(centre + shift_, radius, paint);
-  }
-  void text(const Vec2& at, std::string_view label, const TextStyle& style) override {
-    target_.text(at + shift_, label, style);
-  }
-  void image(const Vec2& corner, const Vec2& size, const Image& image) override {
-    target_.image(corner + shift_, size, image);
-  }
-
- private:
-  [[nodiscard]] std::vector<Vec2> shifted(std::span<const Vec2> points) const {
-    std::vector<Vec2> result(points.begin(), points.end());
-    for (Vec2& p : result)
-      p += shift_;
-    return result;
-  }
-  Canvas& target_;
-  Vec2 shift_;
-};
-
 }  // namespace
 
 Drawing drawing(const Plot& plot) {
@@ -166,7 +136,7 @@ Drawing drawing(const Plot& plot) {
     for (std::size_t i = 0; i < title.size(); ++i)
       canvas.text({plot_margin, plot_margin + 12 + title_row * static_cast<double>(i)}, title[i],
                   title_style);
-    ShiftedCanvas inner(canvas, top);
+    MovedCanvas inner(canvas, {0, top});
     draw_grid(inner, layout);
     draw_curves(inner, plot, layout);
     draw_slopes(inner, layout);
