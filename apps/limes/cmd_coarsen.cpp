@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/subdiv/coarsen.h"
@@ -52,7 +53,7 @@ void CoarsenCommand::operator()() const {
                   {"residual", result.residual},
                   {"seconds", current.seconds()},
                   {"peak_memory", peak_memory()}});
-  else
+  else if (!is_standard_output(output))
     print(fmt::format("{}: {} vertices, {} faces; refined again it is {:.2g} away\n",
                       output.string(), vertices, faces, result.residual));
 }

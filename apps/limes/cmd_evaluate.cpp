@@ -11,6 +11,7 @@
 #include "limes/core/atomic_file.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/core/text.h"
 #include "limes/io/lines.h"
 #include "memory.h"
 #include "mesh_surface.h"
@@ -107,8 +108,8 @@ void EvaluateCommand::operator()() const {
     print_object({{"points", samples.size()},
                   {"seconds", current.seconds()},
                   {"peak_memory", peak_memory()}});
-  else
-    print(fmt::format("{}: {} points\n", output.string(), samples.size()));
+  else if (!is_standard_output(output))
+    print(fmt::format("{}: {}\n", output.string(), counted(samples.size(), "point", "points")));
 }
 
 }  // namespace

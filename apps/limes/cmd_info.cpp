@@ -7,6 +7,8 @@
 
 #include "commands.h"
 #include "files.h"
+#include "limes/core/interrupt.h"
+#include "limes/core/text.h"
 #include "limes/mesh/defects.h"
 #include "limes/mesh/measure.h"
 #include "terminal.h"
@@ -94,7 +96,7 @@ void print_json(const Mesh& mesh, const MeshMeasure& m, const std::vector<Defect
                 {"defects", std::move(list)}});
 }
 
-/// "12 of 3, 6 of 4"
+/// "3 x 12, 4 x 6": valence and number of vertices
 std::string counts_text(const std::map<int, int>& counts) {
   std::string text;
   for (const auto& [valence, count] : counts)
@@ -114,7 +116,8 @@ std::string tags_text(const Tags& tags) {
 std::string names_text(const char* label, const std::vector<FaceGroup>& groups) {
   std::string text;
   for (const FaceGroup& g : groups)
-    text += fmt::format("{}{} ({} faces)", text.empty() ? "" : ", ", g.name, g.faces.size());
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", g.name,
+                        counted(g.faces.size(), "face", "faces"));
   return text.empty() ? "" : fmt::format("{:<18}{}\n", label, text);
 }
 
@@ -136,7 +139,9 @@ void print_text(const Mesh& mesh, const MeshMeasure& m, const std::vector<Defect
 void InfoCommand::operator()() const {
   const Mesh loaded = load_mesh(mesh);
   const MeshMeasure measured = measure(loaded);
+  check_interrupt();
   const std::vector<Defect> defects = find_defects(loaded);
+  check_interrupt();
   json ? print_json(loaded, measured, defects) : print_text(loaded, measured, defects);
 }
 

@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
@@ -40,13 +41,17 @@ VtkCell parse_cells(const std::string& name) {
 }
 
 /// The faces that are shown: no holes, none that only shape the others.
-std::vector<FaceId> visible_faces(const MeshSurface& surface) {
+/// @throws InputError if there are none
+std::vector<FaceId> visible_faces(const MeshSurface& surface, const std::string& file) {
   std::vector<bool> hole(static_cast<std::size_t>(surface.mesh().topology.num_faces()), false);
   for (const FaceId f : surface.mesh().tags.holes)
     hole[static_cast<std::size_t>(f.value)] = true;
   std::vector<FaceId> faces;
   for (int f = 0; f < surface.mesh().topology.num_faces(); ++f)
     if (!hole[static_cast<std::size_t>(f)] && surface.has_surface(FaceId(f))) faces.emplace_back(f);
+  if (faces.empty())
+    throw InputError("{}: no face has a surface: each is a hole or dropped by boundary rule none",
+                     file);
   return faces;
 }
 
@@ -90,6 +95,13 @@ VtuGrid make_grid(CurvedCells cells, VtkCell type) {
   return grid;
 }
 
+std::string summary(std::size_t num_cells, std::size_t num_exact, double deviation) {
+  const std::string cells = counted(num_cells, "cell", "cells");
+  if (num_exact == num_cells) return cells + ", all exact";
+  return fmt::format("{}, {} of them exact; the others deviate by up to {:.2g}", cells, num_exact,
+                     deviation);
+}
+
 void LimitCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
@@ -101,7 +113,8 @@ void LimitCommand::operator()() const {
   CurvedCells curved;
   {
     const Progress progress(fmt::format("evaluating {}", mesh.file.string()));
-    curved = curved_cells(surface.surface(), visible_faces(surface), relative * diagonal);
+    curved = curved_cells(surface.surface(), visible_faces(surface, mesh.file.string()),
+                          relative * diagonal);
   }
   check_interrupt();
   const std::size_t num_cells = curved.cells.size();
@@ -121,9 +134,8 @@ void LimitCommand::operator()() const {
                   {"tolerance", relative * diagonal},
                   {"seconds", current.seconds()},
                   {"peak_memory", peak_memory()}});
-  else
-    print(fmt::format("{}: {} cells, {} of them exact; the others deviate by up to {:.2g}\n",
-                      output.string(), num_cells, num_exact, deviation));
+  else if (!is_standard_output(output))
+    print(fmt::format("{}: {}\n", output.string(), summary(num_cells, num_exact, deviation)));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "commands.h"
 #include "files.h"
+#include "limes/core/atomic_file.h"
+#include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
 #include "limes/subdiv/refine.h"
@@ -47,6 +49,9 @@ void RefineCommand::operator()() const {
     else
       fine = num_levels > 0 ? refine(coarse, *choice.scheme, options) : std::move(coarse);
   }
+  if (fine.topology.num_faces() == 0)
+    throw InputError("{}: every face touches the boundary; with boundary rule none no face is left",
+                     mesh.file.string());
   check_interrupt();
   save_mesh(output, fine);
 
@@ -58,7 +63,7 @@ void RefineCommand::operator()() const {
                   {"levels", num_levels},
                   {"seconds", current.seconds()},
                   {"peak_memory", peak_memory()}});
-  else
+  else if (!is_standard_output(output))
     print(fmt::format("{}: {} vertices, {} faces\n", output.string(), vertices, faces));
 }
 

@@ -67,6 +67,7 @@ void require_passed(const std::filesystem::path& problem,
 
 void SolveCommand::operator()() const {
   const Run current(run);
+  check_output_folder(output);
   const Problem settings = read_problem(problem, overrides);
   std::optional<Progress> progress;
   PlaneResult result = run_problem(settings, {.repair = repair}, [&](std::string_view phase) {

@@ -8,7 +8,9 @@
 #include <memory>
 #include <system_error>
 
+#include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/core/text.h"
 #include "limes/io/io.h"
 #include "limes/mesh/defects.h"
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 Mesh load_mesh(const MeshOptions& options) {
   const Progress progress(fmt::format("reading {}", options.file.string()));
   MeshFile file = read_mesh(options.file);
+  check_interrupt();
   for (const std::string& sentence : file.remarks)
     remark(sentence);
   if (!options.repair) return std::move(file.mesh);
@@ -55,6 +58,13 @@ void check_output(const fs::path& file, const std::vector<std::string>& extensio
   if (!fs::is_directory(folder, ignored))
     throw OutputError("{}: cannot be written: there is no folder {}", file.string(),
                       quote(folder.string()));
+  require_writable(file);
+}
+
+void check_output_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+    throw OutputError("{}: cannot be written: it is a file; a folder is right", folder.string());
 }
 
 void check_mesh_output(const fs::path& file) {

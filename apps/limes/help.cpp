@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "limes/core/error.h"
 #include "limes/core/text.h"
 
 #ifndef LIMES_VERSION
@@ -122,6 +123,16 @@ std::string unexpected_argument(const CLI::App& program) {
                      suggestion(name, option_names(command)));
 }
 
+/// A shell variable that is not set must not read as an option that is not given.
+void refuse_empty_value(CLI::Option& option) {
+  const std::string name =
+      option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front();
+  option.check([name](const std::string& value) {
+    if (value.empty()) throw UsageError("{}: the value is empty", name);
+    return std::string();
+  });
+}
+
 }  // namespace
 
 void set_up_program(CLI::App& program) {
@@ -143,6 +154,8 @@ void set_up_commands(CLI::App& program) {
   for (CLI::App* command : program.get_subcommands({})) {
     command->group("Commands");
     command->set_help_flag("-h,--help", "Show this help")->group("Help");
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() > 0) refuse_empty_value(*option);
   }
 }
 

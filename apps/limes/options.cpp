@@ -97,8 +97,9 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
 
 int parse_whole_number(const char* option, const std::string& text, int least) {
   const auto number = parse_integer(text);
-  if (!number || *number < least || *number > std::numeric_limits<int>::max())
-    throw UsageError("{}: {} is no whole number from {} on", option, quote(text), least);
+  constexpr int most = std::numeric_limits<int>::max();
+  if (!number || *number < least || *number > most)
+    throw UsageError("{}: {} is no whole number from {} to {}", option, quote(text), least, most);
   return static_cast<int>(*number);
 }
 

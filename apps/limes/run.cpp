@@ -18,11 +18,11 @@ struct Run::Threads {
 #endif
 
 Run::Run(const RunOptions& options)
-    : memory_limit_(free_memory()), start_(std::chrono::steady_clock::now()) {
+    : memory_limit_(options.memory_limit.empty() ? free_memory()
+                                                 : parse_size(options.memory_limit)),
+      start_(std::chrono::steady_clock::now()) {
   if (!options.threads.empty())
     threads_ = std::make_unique<Threads>(parse_whole_number("--threads", options.threads, 1));
-  if (options.memory_limit.empty()) return;
-  memory_limit_ = parse_size(options.memory_limit);
   watch_ = std::make_unique<MemoryWatch>(memory_limit_);
 }
 

@@ -1,5 +1,7 @@
 #include "sample_points.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -70,8 +72,8 @@ class PointTable {
     if (value != std::floor(value))
       throw error_at(file_, line, "{} is {}; a whole number is right", column_names[column], value);
     if (value < 0 || value >= end)
-      throw error_at(file_, line, "{} {} does not exist; there are {} to {}", column_names[column],
-                     value, 0, end - 1);
+      throw error_at(file_, line, "{} {} does not exist; {} is right", column_names[column], value,
+                     end == 1 ? "0" : fmt::format("0 to {}", end - 1));
     return static_cast<int>(value);
   }
 

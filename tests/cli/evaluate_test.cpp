@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -116,7 +117,7 @@ TEST(Evaluate, NamesBadPointsByTheirLine) {
     const std::string points = folder.file("p.csv", head + "\n0,0,0.5,0.5\n" + row + "\n");
     expect_failure(evaluate(data_file("cube.obj"), points, folder / "o.csv"), 3, reason);
   };
-  bad("6,0,0,0", "p.csv:3: face 6 does not exist; there are 0 to 5");
+  bad("6,0,0,0", "p.csv:3: face 6 does not exist; 0 to 5 is right");
   bad("-1,0,0,0", "p.csv:3: face -1");
   bad("1.5,0,0,0", "p.csv:3: face is 1.5; a whole number is right");
   bad("0,1,0,0", "p.csv:3: corner 1 does not exist");
@@ -164,6 +165,28 @@ TEST(Evaluate, FacesThatTheBoundaryRuleDropsHaveNoSurface) {
                  "p.csv:2: face 0 touches the boundary");
   EXPECT_EQ(evaluate(mesh, points, folder / "o.csv").exit_code, 0);
   EXPECT_EQ(evaluate(mesh, points, folder / "o.csv", {"linear"}).exit_code, 0);
+}
+
+TEST(Evaluate, StandardOutputGetsTheTableAndNothingElse) {
+  const TempFolder folder;
+  const std::string points = folder.file("p.csv", "face,corner,u,v\n1,0,0.5,0.5\n");
+  const Result file = evaluate(data_file("cube.obj"), points, folder / "o.csv");
+  EXPECT_EQ(file.out, (folder / "o.csv") + ": 1 point\n");
+  const Result direct = evaluate(data_file("cube.obj"), points, "/dev/stdout");
+  EXPECT_EQ(direct.exit_code, 0) << direct.err;
+  EXPECT_EQ(direct.out, read_file(folder / "o.csv"));
+  // The same through a pipe, and behind what a file holds already.
+  const auto shell = [&](const std::string& redirection) {
+    const std::string command = std::string(LIMES_EXECUTABLE) + " evaluate " +
+                                data_file("cube.obj") + " --scheme catmull-clark --at " + points +
+                                " -o /dev/stdout " + redirection;
+    EXPECT_EQ(std::system(command.c_str()), 0);
+  };
+  shell("| cat > " + (folder / "pipe.csv"));
+  EXPECT_EQ(read_file(folder / "pipe.csv"), direct.out);
+  const std::string notes = folder.file("notes.csv", "first\n");
+  shell(">> " + notes);
+  EXPECT_EQ(read_file(notes), "first\n" + direct.out);
 }
 
 }  // namespace

@@ -62,6 +62,8 @@ TEST(Info, WhatCannotBeParsedIsBadInput) {
   const TempFolder folder;
   expect_failure(run_limes({"info", folder.file("m.obj", "v 1 2\n"), "--json"}), 3, "m.obj:1:");
   expect_failure(run_limes({"info", folder / "none.obj"}), 3, "no such file");
+  expect_failure(run_limes({"info", folder / "none"}), 3, "no such file");
+  expect_failure(run_limes({"info", folder / ""}), 3, "is a directory");
   expect_failure(run_limes({"info", folder.file("m.xyz", "1 2 3\n")}), 3, "cannot be read");
 }
 

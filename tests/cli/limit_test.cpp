@@ -10,6 +10,7 @@
 
 #include "cli/program.h"
 #include "cli/vtu_reader.h"
+#include "io/vtk_order.h"
 #include "limes/io/io.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/subdiv/schemes.h"
@@ -18,24 +19,6 @@ namespace limes::test {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Where VTK puts the 16 points of a quad of degree 3, by its documentation: corners, edges, inside.
-constexpr std::array<std::array<int, 2>, 16> vtk_order{{{0, 0},
-                                                        {3, 0},
-                                                        {3, 3},
-                                                        {0, 3},
-                                                        {1, 0},
-                                                        {2, 0},
-                                                        {3, 1},
-                                                        {3, 2},
-                                                        {1, 3},
-                                                        {2, 3},
-                                                        {0, 1},
-                                                        {0, 2},
-                                                        {1, 1},
-                                                        {2, 1},
-                                                        {1, 2},
-                                                        {2, 2}}};
 
 double bernstein(int i, double t) {
   constexpr std::array<int, 4> binomial{1, 3, 3, 1};
@@ -55,7 +38,7 @@ Vec3 cell_point(const VtuArrays& vtu, std::size_t cell, double s, double t) {
   Vec3 x = Vec3::Zero();
   for (std::size_t k = 0; k < 16; ++k) {
     const auto point = static_cast<std::size_t>(vtu.at("connectivity")[16 * cell + k]);
-    const auto [i, j] = vtk_order[k];
+    const auto [i, j] = cubic_quad_points[k];
     const double weight =
         bezier ? bernstein(i, s) * bernstein(j, t) : lagrange(i, s) * lagrange(j, t);
     for (int c = 0; c < 3; ++c)
@@ -199,6 +182,25 @@ TEST(Limit, StopsAtTheMemoryLimit) {
   expect_failure(limit(data_file("pawn.obj"), folder / "x.vtu", {"--memory-limit", "40M"}), 3,
                  "stopped at the memory limit");
   EXPECT_TRUE(folder.list().empty());
+}
+
+TEST(Limit, NeedsAFaceWithASurface) {
+  const TempFolder folder;
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  const std::string mesh = folder.file("square.obj", square);
+  expect_failure(limit(mesh, folder / "x.vtu", {"--boundary", "none"}), 3, "square.obj: no face");
+  const std::string hole = folder.file("hole.obj", square + "t hole 1/0/0 0\n");
+  expect_failure(limit(hole, folder / "x.vtu"), 3, "hole.obj: no face");
+  expect_failure(run_limes({"refine", mesh, "-o", folder / "x.obj", "--scheme", "catmull-clark",
+                            "--levels", "1", "--boundary", "none"}),
+                 3, "square.obj: every face touches the boundary");
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{"hole.obj", "square.obj"}));
+}
+
+TEST(Limit, SaysWhenEveryCellIsExact) {
+  const TempFolder folder;
+  const Result torus = limit(data_file("torus.obj"), folder / "torus.vtu");
+  EXPECT_EQ(torus.out, (folder / "torus.vtu") + ": 48 cells, all exact\n");
 }
 
 TEST(Limit, ChecksItsOptions) {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -25,8 +24,8 @@ void redirect(int descriptor, const std::string& path) {
 
 }  // namespace
 
-Result run_limes(const std::vector<std::string>& arguments,
-                 std::chrono::milliseconds signal_after) {
+Result run_limes(const std::vector<std::string>& arguments, std::chrono::milliseconds signal_after,
+                 int signal) {
   const TempFolder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
@@ -46,7 +45,7 @@ Result run_limes(const std::vector<std::string>& arguments,
   }
   if (signal_after.count() > 0) {
     std::this_thread::sleep_for(signal_after);
-    kill(child, SIGINT);
+    kill(child, signal);
   }
   int status = 0;
   waitpid(child, &status, 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,9 +14,9 @@ struct Result {
   std::string out, err;
 };
 
-/// Runs the program limes. @param signal_after  sends SIGINT then; 0: never
+/// Runs the program limes. @param signal_after  sends the signal then; 0: never
 Result run_limes(const std::vector<std::string>& arguments,
-                 std::chrono::milliseconds signal_after = {});
+                 std::chrono::milliseconds signal_after = {}, int signal = SIGINT);
 
 /// A folder of its own that vanishes at the end.
 class TempFolder {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -14,11 +16,12 @@ using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 Result refine(const std::string& mesh, const std::string& out, int levels,
-              const Arguments& more = {}, std::chrono::milliseconds signal_after = {}) {
+              const Arguments& more = {}, std::chrono::milliseconds signal_after = {},
+              int signal = SIGINT) {
   Arguments arguments{
       "refine", mesh, "-o", out, "--scheme", "catmull-clark", "--levels", std::to_string(levels)};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  return run_limes(arguments, signal_after);
+  return run_limes(arguments, signal_after, signal);
 }
 
 TEST(Refine, ReportsCountsAsJsonOnly) {
@@ -187,7 +190,29 @@ TEST(Refine, OutputThatCannotBeWrittenIsCodeFive) {
   expect_failure(refine(data_file("cube.obj"), "/nonexistent/x.obj", 1), 5,
                  "/nonexistent/x.obj: cannot be written: there is no folder");
   std::filesystem::create_directory(folder / "dir.obj");
-  expect_failure(refine(data_file("cube.obj"), folder / "dir.obj", 1), 5, "cannot be written");
+  expect_failure(refine(data_file("cube.obj"), folder / "dir.obj", 1), 5, "it is a directory");
+  // Known before the mesh is read.
+  expect_failure(refine(folder / "none.obj", folder / "dir.obj", 1), 5, "it is a directory");
+}
+
+TEST(Refine, AFileThatMayNotGrowIsCodeFive) {
+  const TempFolder folder;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{4096, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);  // the program inherits it
+  const Result result = refine(data_file("cube.obj"), folder / "x.obj", 4);
+  setrlimit(RLIMIT_FSIZE, &before);
+  expect_failure(result, 5, "x.obj: cannot be written: File too large");
+  EXPECT_TRUE(folder.list().empty());
+}
+
+TEST(Refine, HangupLeavesNoFile) {
+  const TempFolder folder;
+  const Result result = refine(data_file("cube.obj"), folder / "x.obj", 9, {"--limit"},
+                               std::chrono::milliseconds(300), SIGHUP);
+  expect_failure(result, 130, "interrupted");
+  EXPECT_TRUE(folder.list().empty());
 }
 
 TEST(Refine, InterruptLeavesNoFile) {

@@ -177,5 +177,12 @@ TEST_F(Solve, HelpNamesTheFileOnly) {
   EXPECT_EQ(help.find("TEXT"), std::string::npos);
 }
 
+TEST(SolveOutput, AFileIsNoFolder) {
+  const TempFolder folder;
+  const std::string file = folder.file("results", "precious");
+  expect_failure(run_limes({"solve", data_file("block.toml"), "-o", file}), 5, "it is a file");
+  EXPECT_EQ(read_file(file), "precious");
+}
+
 }  // namespace
 }  // namespace limes::test

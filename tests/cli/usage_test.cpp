@@ -56,6 +56,15 @@ TEST(Usage, ChecksEveryValue) {
                  "known are none, edges, edges-and-corners");
 }
 
+TEST(Usage, AnEmptyValueIsNoValue) {
+  expect_failure(run_limes({"info", ""}), 2, "MESH: the value is empty");
+  expect_failure(run_limes({"solve", data_file("block.toml"), "-o", ""}), 2,
+                 "--output: the value is empty");
+  for (const char* option : {"--boundary", "--threads", "--memory-limit", "--tension"})
+    expect_failure(run_limes(with(refine_cube, {option, ""})), 2,
+                   std::string(option) + ": the value is empty");
+}
+
 TEST(Usage, RefusesOptionsOfOtherSchemes) {
   for (const char* option : {"--tension", "--corners", "--ring-pull"})
     expect_failure(run_limes(with(refine_cube, {option, "1"})), 2,
