@@ -1,5 +1,6 @@
 #include "limes/subdiv/refine.h"
 
+#include "limes/core/memory.h"
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/uniform.h"
@@ -60,7 +61,7 @@ Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options
   } else {
     UniformRefinement refinement(adjacency, features, scheme, options.levels);
     fine.topology = refinement.topology();
-    fine.points.resize(static_cast<std::size_t>(refinement.num_vertices()));
+    resize_fresh(fine.points.vector(), static_cast<std::size_t>(refinement.num_vertices()));
     refinement.positions(mesh.points.span(), fine.points.span());
     features = refinement.features();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
+#include "limes/core/memory.h"
 
 namespace limes {
 
@@ -88,7 +89,8 @@ void UniformRefinement::corners(std::span<VertexId> out) const {
 
 Topology UniformRefinement::topology() const {
   if (!structured_) return general_.back()->step.child_topology();
-  std::vector<VertexId> corners(std::size_t{4} * static_cast<std::size_t>(num_faces()));
+  std::vector<VertexId> corners;
+  resize_fresh(corners, std::size_t{4} * static_cast<std::size_t>(num_faces()));
   structured_->corners(corners);
   return {num_vertices(), 4, std::move(corners)};
 }
