@@ -64,14 +64,6 @@ void CornerRings::add_if_irregular(VertexId v, const Features& features,
   points_.resize(points_.size() + static_cast<std::size_t>((num_steps_ - 1) * (num_edges + 1)));
 }
 
-int CornerRings::edge_number(HalfedgeId h) const {
-  int k = 0;
-  for (HalfedgeId g = adjacency_->ring_start(adjacency_->from(h)); g != h;
-       g = adjacency_->ring_next(g))
-    ++k;
-  return k;
-}
-
 int CornerRings::turned(int ring, int edge, int by) const {
   const Ring& r = get(ring);
   const int k = edge + by;

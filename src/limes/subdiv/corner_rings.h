@@ -24,9 +24,8 @@ class CornerRings {
   /// Ring of a vertex, or -1 if the vertex is regular.
   [[nodiscard]] int ring_of(VertexId v) const { return ring_of_[v]; }
 
-  /// Where a face lies in the ring of the vertex at which h starts: number of its first edge, h.
-  [[nodiscard]] int edge_number(HalfedgeId h) const;
-  /// Edge k + by of a ring, or -1 beyond the ring's ends.
+  /// Edge `by` places after an edge of a ring, or -1 beyond the ring's ends. Edges are numbered along
+  /// the ring from Adjacency::ring_start() on, and face k lies between edges k and k + 1.
   [[nodiscard]] int turned(int ring, int edge, int by) const;
 
   /// Refines one ring. Different rings may be refined at the same time.

@@ -34,8 +34,14 @@ StructuredRefinement::StructuredRefinement(const Adjacency& control, const Featu
   lines_.push_back({});  // line 0: smooth
   quads_.resize(static_cast<std::size_t>(topology.num_faces()));
   number_runs();
-  for (int f = 0; f < topology.num_faces(); ++f)
-    gather(FaceId(f), sharpness);
+  number_sides(sharpness);
+  for_each_block(topology.num_faces(), 256, [&](std::int64_t begin, std::int64_t end) {
+    check_interrupt();
+    for (std::int64_t f = begin; f < end; ++f)
+      gather_grid(FaceId(f));
+  });
+  for (int ring = 0; ring < rings_.size(); ++ring)
+    place_ring(ring);
   for (int v = 0; v < topology.num_vertices(); ++v)
     if (!control.ring_start(VertexId(v)).valid()) unused_.push_back(VertexId(v));
 }
@@ -64,36 +70,40 @@ void StructuredRefinement::number_runs() {
   num_vertices_ = static_cast<int>(vertices);
 }
 
-void StructuredRefinement::gather(FaceId f, const Sharpness& sharpness) {
-  Quad& q = quads_[static_cast<std::size_t>(f.value)];
-  const Topology& topology = control_->topology();
-  if (f.value > 0) {
-    const Quad& before = quad(FaceId(f.value - 1));
-    q.sides_before = before.sides_before + std::popcount(before.owned);
-  } else {
-    q.sides_before = 0;
+void StructuredRefinement::number_sides(const Sharpness& sharpness) {
+  int sides = 0;
+  for (int f = 0; f < control_->topology().num_faces(); ++f) {
+    Quad& q = quads_[static_cast<std::size_t>(f)];
+    q.sides_before = sides;
+    q.owned = 0;
+    for (int s = 0; s < 4; ++s) {
+      const HalfedgeId h = control_->topology().halfedge(FaceId(f), s);
+      const EdgeId e = control_->edge(h);
+      if (control_->halfedge(e) == h) q.owned |= 1U << s;
+      q.line[static_cast<std::size_t>(s)] = line_of(sharpness.edge(e), !control_->twin(h).valid());
+    }
+    sides += std::popcount(q.owned);
+    auto& runs = runs_[q.owned];
+    if (!runs) runs = std::make_unique<QuadRuns>(numbering_, q.owned);
   }
-  q.owned = 0;
-  q.own_corners = 0;
-  for (int s = 0; s < 4; ++s)
-    gather_side(f, s, sharpness, q);
-  for (int c = 0; c < 4; ++c) {
-    const HalfedgeId h = topology.halfedge(f, c);
-    const auto slot = static_cast<std::size_t>(c);
-    q.ring[slot] = rings_.ring_of(control_->from(h));
-    q.ring_edge[slot] = q.ring[slot] < 0 ? 0 : rings_.edge_number(h);
-    if (q.ring[slot] < 0 && control_->ring_start(control_->from(h)) == h) q.own_corners |= 1U << c;
-  }
-  auto& runs = runs_[q.owned];
-  if (!runs) runs = std::make_unique<QuadRuns>(numbering_, q.owned);
 }
 
-void StructuredRefinement::gather_side(FaceId f, int side, const Sharpness& sharpness, Quad& q) {
+void StructuredRefinement::gather_grid(FaceId f) {
+  Quad& q = quads_[static_cast<std::size_t>(f.value)];
+  for (int s = 0; s < 4; ++s)
+    gather_side(f, s, q);
+  q.ring.fill(-1);
+  q.own_corners = 0;
+  for (int c = 0; c < 4; ++c) {
+    const HalfedgeId h = control_->topology().halfedge(f, c);
+    const VertexId v = control_->from(h);
+    if (rings_.ring_of(v) < 0 && control_->ring_start(v) == h) q.own_corners |= 1U << c;
+  }
+}
+
+void StructuredRefinement::gather_side(FaceId f, int side, Quad& q) const {
   const HalfedgeId h = control_->topology().halfedge(f, side);
   const HalfedgeId twin = control_->twin(h);
-  const EdgeId e = control_->edge(h);
-  if (control_->halfedge(e) == h) q.owned |= 1U << side;
-  q.line[static_cast<std::size_t>(side)] = line_of(sharpness.edge(e), !twin.valid());
 
   // On the grid of one cell: the two corners, the margin beyond the side and the margin's corner.
   // Where nothing lies beyond, or something irregular, any point does: nobody reads what comes of it.
@@ -114,6 +124,19 @@ void StructuredRefinement::gather_side(FaceId f, int side, const Sharpness& shar
   const HalfedgeId opposite = control_->twin(beside);
   if (opposite.valid())
     slot(at.node(0) + outwards - at.direction()) = control_->from(control_->prev(opposite));
+}
+
+void StructuredRefinement::place_ring(int ring) {
+  const HalfedgeId start = control_->ring_start(rings_.vertex(ring));
+  int edge = 0;
+  for (HalfedgeId h = start; h.valid(); ++edge) {
+    const auto corner = static_cast<std::size_t>(control_->corner_index(h));
+    Quad& q = quads_[static_cast<std::size_t>(control_->face(h).value)];
+    q.ring[corner] = ring;
+    q.ring_edge[corner] = edge;
+    h = control_->ring_next(h);
+    if (h == start) break;
+  }
 }
 
 std::uint16_t StructuredRefinement::line_of(float sharpness, bool boundary) {

@@ -70,9 +70,11 @@ class StructuredRefinement {
     std::vector<LineRules> rules;  // by step; none where no longer sharp
   };
 
-  void gather(FaceId f, const Sharpness& sharpness);
-  void gather_side(FaceId f, int side, const Sharpness& sharpness, Quad& quad);
   void number_runs();
+  void number_sides(const Sharpness& sharpness);
+  void gather_grid(FaceId f);
+  void gather_side(FaceId f, int side, Quad& quad) const;
+  void place_ring(int ring);
   [[nodiscard]] std::uint16_t line_of(float sharpness, bool boundary);
 
   [[nodiscard]] const Quad& quad(FaceId f) const {
