@@ -38,7 +38,7 @@ class FaceCells {
     const bool quad = basis.topology().face_size(face_) == 4;
     for (int corner = 0; corner < basis.num_quadrants(face_); ++corner) {
       const int quadrant =
-          quad ? kind : basis.kinds()[kind].children[static_cast<std::size_t>(corner)].kind;
+          quad ? kind : basis.kinds().refined(kind).children[static_cast<std::size_t>(corner)].kind;
       visit({quadrant, 0, 0}, {face_, corner, Vec2::Zero(), 1.0, false, 0.0});
     }
   }
@@ -50,17 +50,17 @@ class FaceCells {
   };
 
   void visit(const Step& step, CurvedCells::Cell cell) {
-    const RingKind& kind = surface_.basis().kinds()[step.kind];
-    cell.exact = kind.patch.has_value();
+    cell.exact = surface_.basis().kinds()[step.kind].patch.has_value();
     if (!cell.exact) {
       const bool can_split = step.depth < max_depth;
       cell.deviation = deviation(cell, can_split ? tolerance_ : infinity);
-      if (can_split && cell.deviation > tolerance_) return split(step, kind, cell);
+      if (can_split && cell.deviation > tolerance_) return split(step, cell);
     }
     append(cell);
   }
 
-  void split(const Step& step, const RingKind& kind, const CurvedCells::Cell& cell) {
+  void split(const Step& step, const CurvedCells::Cell& cell) {
+    const RefinedKind& kind = surface_.basis().kinds().refined(step.kind);
     static const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
     const double half = 0.5 * cell.size;
     for (int q = 0; q < 4; ++q) {

@@ -74,10 +74,10 @@ Descent descend(const RingKinds& kinds, int kind, int face_size, int corner, con
   d.local.uv = uv;
   if (face_size != 4) {  // the first children of an n-gon are its quadrants
     d.path.push_back(static_cast<char>(corner));
-    d.kind = kinds[kind].children[static_cast<std::size_t>(corner)].kind;
+    d.kind = kinds.refined(kind).children[static_cast<std::size_t>(corner)].kind;
   }
   for (int depth = 0; !kinds[d.kind].patch; ++depth) {
-    const RingKind& at = kinds[d.kind];
+    const RefinedKind& at = kinds.refined(d.kind);
     if (at.self_similar && (d.local.uv.isZero(0.0) || depth > max_depth)) {
       d.extraordinary = true;
       return d;
@@ -94,7 +94,7 @@ Descent descend(const RingKinds& kinds, int kind, int face_size, int corner, con
 VectorX pull_back(const RingKinds& kinds, int kind, const std::string& path, const VectorX& row) {
   std::vector<const SparseMatrix*> steps;
   for (const char c : path) {
-    const RingKind::Child& child = kinds[kind].children[static_cast<std::size_t>(c)];
+    const RefinedKind::Child& child = kinds.refined(kind).children[static_cast<std::size_t>(c)];
     steps.push_back(&child.A);
     kind = child.kind;
   }
@@ -196,7 +196,7 @@ LimitBasis::Point LimitBasis::evaluate_kind(int kind, int face_size, int corner,
                                             int order, BasisAt& out) const {
   const Descent d = descend(kinds_, kind, face_size, corner, uv);
   if (d.extraordinary) {
-    out.N = pull_back(kinds_, kind, d.path, kinds_[d.kind].limit);
+    out.N = pull_back(kinds_, kind, d.path, kinds_.refined(d.kind).limit);
     out.dN.resize(0, 2);
     out.ddN.resize(0, 3);
     return Point::extraordinary;
@@ -209,7 +209,7 @@ std::optional<Eigen::Matrix<double, 2, Eigen::Dynamic>> LimitBasis::tangent_rows
     FaceId f, int corner, const Vec2& uv) const {
   const Descent d = descend(kinds_, kind_[f], topology_.face_size(f), corner, uv);
   LIMES_ASSERT(d.extraordinary);
-  const auto& tangents = kinds_[d.kind].tangents;
+  const auto& tangents = kinds_.refined(d.kind).tangents;
   if (!tangents) return {};
   Eigen::Matrix<double, 2, Eigen::Dynamic> rows(2, static_cast<Eigen::Index>(controls(f).size()));
   for (int k = 0; k < 2; ++k)

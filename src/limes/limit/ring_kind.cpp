@@ -57,23 +57,37 @@ void deflate(PatchGrid& D, const VectorX& limit) {
 
 }  // namespace
 
-int RingKinds::kind_of(Ring ring) {
-  const auto [it, added] = index_.emplace(ring_key(ring), size());
-  const int index = it->second;
-  if (!added) return index;
-  kinds_.push_back(std::make_unique<RingKind>());
-  tiles_.emplace_back();
-  RingKind& kind = *kinds_.back();
-  kind.ring = std::move(ring);
-  kind.patch = regular_patch(kind.ring, scheme_->patch);
-  if (!kind.patch) {
-    build_children(kind, index);
-    if (kind.self_similar) build_corner(kind);
-  }
-  return index;
+int RingKinds::size() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(entries_.size());
 }
 
-void RingKinds::build_children(RingKind& kind, int index) {
+int RingKinds::kind_of(Ring ring) const {
+  std::string key = ring_key(ring);
+  const std::lock_guard lock(mutex_);
+  const auto [it, added] = index_.try_emplace(std::move(key), static_cast<int>(entries_.size()));
+  if (!added) return it->second;
+  RingKind& kind = entries_.append().kind;
+  kind.ring = std::move(ring);
+  kind.patch = regular_patch(kind.ring, scheme_->patch);
+  return it->second;
+}
+
+const RefinedKind& RingKinds::refine(int kind) const {
+  // Two threads may build the same; the first to come keeps its own, which are the same bits.
+  auto built = std::make_unique<const RefinedKind>(build_refined(kind));
+  Entry& at = entry(kind);
+  const std::lock_guard lock(mutex_);
+  if (!at.owned) {
+    at.owned = std::move(built);
+    at.refined.store(at.owned.get(), std::memory_order_release);
+  }
+  return *at.owned;
+}
+
+RefinedKind RingKinds::build_refined(int index) const {
+  const RingKind& kind = (*this)[index];
+  RefinedKind refined;
   const Adjacency adjacency(kind.ring.topology, Adjacency::Check::edges);
   const RefinementStep step(adjacency, kind.ring.features, *scheme_);
   const Topology child_topology = step.child_topology();
@@ -90,24 +104,23 @@ void RingKinds::build_children(RingKind& kind, int index) {
       rows.append(row, ring.vertices[static_cast<std::size_t>(row)], entries);
     SparseMatrix A(ring.num_controls, kind.ring.num_controls);
     A.setFromTriplets(entries.begin(), entries.end());
-    kind.children.push_back({kind_of(std::move(ring)), std::move(A)});
+    refined.children.push_back({kind_of(std::move(ring)), std::move(A)});
   }
-  kind.self_similar = kind.children[0].kind == index;
-}
-
-void RingKinds::build_corner(RingKind& kind) {
-  const SparseMatrix& A = kind.children[0].A;
-  kind.limit = limit_row(A, 0);
-  kind.tangents = corner_tangents(kind.ring, A);
+  refined.self_similar = refined.children[0].kind == index;
+  if (refined.self_similar) {
+    refined.limit = limit_row(refined.children[0].A, 0);
+    refined.tangents = corner_tangents(kind.ring, refined.children[0].A);
+  }
+  return refined;
 }
 
 const Tile& RingKinds::tile(int kind, const std::string& path) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(tile_mutex_);
   return tile_locked(kind, path);
 }
 
 const Tile& RingKinds::tile_locked(int kind, const std::string& path) const {
-  Tiles& tiles = tiles_[static_cast<std::size_t>(kind)];
+  auto& tiles = entry(kind).tiles;
   const auto found = tiles.find(path);
   if (found != tiles.end()) return *found->second;
   auto made = std::make_unique<Tile>(make_tile(kind, path));
@@ -120,15 +133,16 @@ Tile RingKinds::make_tile(int index, const std::string& path) const {
     LIMES_ASSERT(kind.patch.has_value());
     return {*kind.patch, {}};
   }
-  const RingKind::Child& child = kind.children[static_cast<std::size_t>(path[0])];
+  const RefinedKind& refined = this->refined(index);
+  const RefinedKind::Child& child = refined.children[static_cast<std::size_t>(path[0])];
   const Tile& below = tile_locked(child.kind, path.substr(1));
   Tile tile{below.D * child.A, {}};
   if (below.limit.size() > 0) tile.limit = child.A.transpose() * below.limit;
-  if (kind.self_similar) {
+  if (refined.self_similar) {
     // Whatever the rows' sums are (1, or rounding), afterwards they are relative to our own limit.
     if (tile.limit.size() > 0 && child.kind != index) tile.D.rowwise() += tile.limit.transpose();
-    deflate(tile.D, kind.limit);
-    tile.limit = kind.limit;
+    deflate(tile.D, refined.limit);
+    tile.limit = refined.limit;
   }
   return tile;
 }

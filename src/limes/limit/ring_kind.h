@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limes/core/types.h"
+#include "limes/limit/append_only.h"
 #include "limes/limit/regular_patch.h"
 #include "limes/subdiv/scheme.h"
 
@@ -19,9 +20,12 @@ namespace limes {
 struct RingKind {
   Ring ring;
   std::optional<PatchGrid> patch;  ///< set: the limit is this one polynomial
+};
 
-  /// Otherwise: after one step of the scheme, child i (at corner i, its own corner 0 there) is of
-  /// the kind children[i].kind, and its controls are A times ours.
+/// A kind without a patch after one step of the scheme.
+struct RefinedKind {
+  /// Child i (at corner i, its own corner 0 there) is of the kind children[i].kind, and its
+  /// controls are A times ours.
   struct Child {
     int kind;
     SparseMatrix A;  ///< (num_controls of the child's kind, num_controls)
@@ -46,37 +50,48 @@ struct Tile {
   VectorX limit;
 };
 
-/// The kinds of one mesh or family of meshes, found by key and built once.
-/// tile() may be called from several threads; kind_of() may not.
+/// The kinds of one mesh or family of meshes, found by key and built once, each when it is first
+/// asked for. All functions may be called from several threads.
 class RingKinds {
  public:
   explicit RingKinds(const Scheme& scheme) : scheme_(&scheme) {}
 
-  /// Index of the kind of a ring; builds it and all kinds below it if it is new.
-  int kind_of(Ring ring);
-  [[nodiscard]] const RingKind& operator[](int kind) const {
-    return *kinds_[static_cast<std::size_t>(kind)];
-  }
-  [[nodiscard]] int size() const { return static_cast<int>(kinds_.size()); }
+  /// Index of the kind of a ring. Indices of kinds that several threads add at the same time come
+  /// in any order.
+  int kind_of(Ring ring) const;
+  [[nodiscard]] const RingKind& operator[](int kind) const { return entry(kind).kind; }
+  /// Number of kinds met so far.
+  [[nodiscard]] int size() const;
   [[nodiscard]] const Scheme& scheme() const { return *scheme_; }
+
+  /// The children of a kind and what follows from them. Precondition: it has no patch.
+  [[nodiscard]] const RefinedKind& refined(int kind) const {
+    const RefinedKind* known = entry(kind).refined.load(std::memory_order_acquire);
+    return known ? *known : refine(kind);
+  }
 
   /// The patch at the end of a path from a kind: child indices, one byte each. Precondition: the
   /// path ends where kinds have a patch.
   [[nodiscard]] const Tile& tile(int kind, const std::string& path) const;
 
  private:
-  void build_children(RingKind& kind, int index);
-  void build_corner(RingKind& kind);
+  struct Entry {
+    RingKind kind;
+    std::atomic<const RefinedKind*> refined = nullptr;
+    std::unique_ptr<const RefinedKind> owned;
+    std::unordered_map<std::string, std::unique_ptr<Tile>> tiles;  // never iterated
+  };
+  [[nodiscard]] Entry& entry(int kind) const { return entries_[static_cast<std::size_t>(kind)]; }
+  const RefinedKind& refine(int kind) const;
+  [[nodiscard]] RefinedKind build_refined(int kind) const;
   [[nodiscard]] Tile make_tile(int kind, const std::string& path) const;
   [[nodiscard]] const Tile& tile_locked(int kind, const std::string& path) const;
 
   const Scheme* scheme_;
-  std::map<std::string, int> index_;
-  std::vector<std::unique_ptr<RingKind>> kinds_;
-
-  using Tiles = std::unordered_map<std::string, std::unique_ptr<Tile>>;  // never iterated
-  mutable std::mutex mutex_;
-  mutable std::vector<Tiles> tiles_;
+  mutable std::mutex mutex_;                            // of index_ and of the size of entries_
+  mutable std::unordered_map<std::string, int> index_;  // never iterated
+  mutable AppendOnly<Entry> entries_;
+  mutable std::mutex tile_mutex_;  // of Entry::tiles
 };
 
 }  // namespace limes

@@ -45,7 +45,7 @@ class TileWalk {
       return (*f.kinds)[f.kind].patch.has_value();
     });
     const bool endless = std::any_of(functions.begin(), functions.end(), [](const KindAt& f) {
-      return (*f.kinds)[f.kind].self_similar;
+      return !(*f.kinds)[f.kind].patch && f.kinds->refined(f.kind).self_similar;
     });
     if (polynomial || (endless && depth == 0)) {
       tiles.push_back(tile_of(frame));
@@ -56,10 +56,9 @@ class TileWalk {
   }
 
   static std::vector<KindAt> children(std::vector<KindAt> functions, int c) {
-    for (KindAt& f : functions) {
-      const RingKind& kind = (*f.kinds)[f.kind];
-      if (!kind.patch) f.kind = kind.children[static_cast<std::size_t>(c)].kind;
-    }
+    for (KindAt& f : functions)
+      if (!(*f.kinds)[f.kind].patch)
+        f.kind = f.kinds->refined(f.kind).children[static_cast<std::size_t>(c)].kind;
     return functions;
   }
 };
