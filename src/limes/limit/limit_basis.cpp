@@ -10,9 +10,6 @@
 namespace limes {
 namespace {
 
-/// Beyond this many halvings a point is the extraordinary vertex itself: 2^-200 of a face.
-constexpr int max_depth = 200;
-
 /// The parameters of a point in a sub-face, and how they depend on those of the face.
 struct LocalPoint {
   Vec2 uv;
@@ -78,7 +75,7 @@ Descent descend(const RingKinds& kinds, int kind, int face_size, int corner, con
   }
   for (int depth = 0; !kinds[d.kind].patch; ++depth) {
     const RefinedKind& at = kinds.refined(d.kind);
-    if (at.self_similar && (d.local.uv.isZero(0.0) || depth > max_depth)) {
+    if (at.self_similar && (d.local.uv.isZero(0.0) || depth > LimitBasis::max_depth)) {
       d.extraordinary = true;
       return d;
     }
@@ -132,7 +129,7 @@ PatchWeights patch_weights(const Vec2& st, int order) {
 /// Derivatives in (u, v) from those in (s, t): the map is affine with Jacobian J.
 void write_basis(const PatchWeights& w, const Tile& tile, const Mat2& J, int order, BasisAt& out) {
   out.N = (w.N * tile.D).transpose();
-  if (tile.limit.size() > 0) out.N += tile.limit;
+  out.N += tile.limit;
   out.dN.resize(order >= 1 ? tile.D.cols() : 0, 2);
   out.ddN.resize(order >= 2 ? tile.D.cols() : 0, 3);
   if (order >= 1) {

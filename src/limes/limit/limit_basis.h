@@ -24,6 +24,9 @@ class LimitBasis {
     extraordinary  ///< value; the derivatives in u and v do not exist
   };
 
+  /// Beyond this many halvings a point is the extraordinary vertex itself: 2^-200 of a face.
+  static constexpr int max_depth = 200;
+
   /// Keeps a copy of the topology and features.
   /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
   LimitBasis(Topology topology, Features features, const Scheme& scheme);

@@ -131,19 +131,22 @@ Tile RingKinds::make_tile(int index, const std::string& path) const {
   const RingKind& kind = (*this)[index];
   if (path.empty()) {
     LIMES_ASSERT(kind.patch.has_value());
-    return {*kind.patch, {}};
+    Tile tile{*kind.patch, kind.patch->row(5).transpose()};
+    tile.D.rowwise() -= tile.limit.transpose();
+    return tile;
   }
   const RefinedKind& refined = this->refined(index);
   const RefinedKind::Child& child = refined.children[static_cast<std::size_t>(path[0])];
   const Tile& below = tile_locked(child.kind, path.substr(1));
-  Tile tile{below.D * child.A, {}};
-  if (below.limit.size() > 0) tile.limit = child.A.transpose() * below.limit;
-  if (refined.self_similar) {
-    // Whatever the rows' sums are (1, or rounding), afterwards they are relative to our own limit.
-    if (tile.limit.size() > 0 && child.kind != index) tile.D.rowwise() += tile.limit.transpose();
-    deflate(tile.D, refined.limit);
-    tile.limit = refined.limit;
+  Tile tile{below.D * child.A, child.A.transpose() * below.limit};
+  // Whatever the rows' sums are, they are rounding: products would keep them while D shrinks.
+  if (!refined.self_similar) {
+    tile.D.col(0) -= tile.D.rowwise().sum();
+    return tile;
   }
+  if (child.kind != index) tile.D.rowwise() += (tile.limit - refined.limit).transpose();
+  deflate(tile.D, refined.limit);
+  tile.limit = refined.limit;
   return tile;
 }
 

@@ -41,8 +41,8 @@ struct RefinedKind {
 };
 
 /// B-spline control points of a sub-face reached by a path of children, as functions of the ring's
-/// controls: point k = D.row(k) + limit, where D is relative to the limit position of the
-/// extraordinary vertex on the path (rows sum to zero), or limit is empty and D is all. Kept apart
+/// controls: point k = D.row(k) + limit, where rows of D sum to zero. limit is the limit position of
+/// the extraordinary vertex on the path, or the first control point of the sub-face. Kept apart
 /// because D shrinks with the path's length while limit does not: derivatives need the small part
 /// alone.
 struct Tile {
