@@ -72,6 +72,12 @@ def run_rounds(build, commands, rounds):
     return results
 
 
+def methods_table(build, tiny):
+    """What bench/methods prints about itself."""
+    command = [str(build / 'bench' / 'limes_methods'), '--points', '4' if tiny else '400']
+    return subprocess.run(command, capture_output=True, text=True, check=True, timeout=1800).stdout
+
+
 def update_page(page, text):
     old = page.read_text()
     if any(old.count(m) != 1 for m in MARKS):
@@ -106,6 +112,8 @@ def main():
     rows = tables.rows_of(cases, models, results)
     limits = tables.limits_of(results)
     text = tables.markdown(about, limits, rows)
+    if not args.only or args.only in 'methods':
+        text += '\nOther ways to evaluate a limit surface\n\n' + methods_table(args.build, args.tiny)
     print(text)
     if args.json:
         args.json.write_text(json.dumps({'machine': about, 'limits': limits, 'rows': rows}, indent=1))
