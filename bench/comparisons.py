@@ -5,7 +5,7 @@ import dataclasses
 MODELS = {
     'cube': 'shape:cube',
     'torus': 'shape:torus:64:32',
-    'grid': 'shape:torus:100:50',
+    'cage': 'shape:torus:100:50',
     'rabbit': ['rabbit.obj'],
     'rook': ['catmark_rook.obj', 'rook.obj'],
     'suzanne_quads': ['suzanne_quads.obj'],
@@ -50,6 +50,8 @@ def update_cases(tiny):
         cases.append(Case('update', f'{model} L{levels}', model, f'limes_update {options}',
                           {'stencil table, double': f'osd_stencil {options} --precision double'},
                           2.5, 'stencil table, double'))
+    cases.append(Case('update one', '5,000 quads (torus), L4, one vertex moved', 'cage',
+                      f'limes_update --in MODEL --levels {1 if tiny else 4} --moved 1', {}, 200e-6))
     return cases
 
 

@@ -27,11 +27,12 @@ def compiler_of(build):
     version = output_of(compiler, '--version').splitlines()[:1]
     kind = first_match(r'^CMAKE_BUILD_TYPE:\w+=(.*)$', cache)
     flags = first_match(rf'^CMAKE_CXX_FLAGS_{kind.upper()}:\w+=(.*)$', cache, '')
+    flags = ' '.join([first_match(r'^CMAKE_CXX_FLAGS:\w+=(.*)$', cache, ''), flags]).strip()
     return f'{(version or ["?"])[0]}, {kind} ({flags})'
 
 
-def package_versions():
-    lines = output_of('dpkg-query', '-W', '-f=${Package} ${Version}\n', *PACKAGES).splitlines()
+def package_versions(packages):
+    lines = output_of('dpkg-query', '-W', '-f=${Package} ${Version}\n', *packages).splitlines()
     return ', '.join(line for line in lines if len(line.split()) == 2) or '?'
 
 
@@ -48,5 +49,5 @@ def describe(build):
         'memory': f'{memory / 2**20:.0f} GiB',
         'system': f'{platform.system()} {platform.release()}',
         'compiler': compiler_of(build),
-        'libraries': package_versions(),
+        'libraries': package_versions(PACKAGES),
     }

@@ -3,6 +3,7 @@
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/uniform.h"
 
 namespace {
 
@@ -54,6 +55,45 @@ void refinement_matrix(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * step.num_child_vertices());
 }
 
+void uniform_set_up(benchmark::State& state) {
+  const Mesh mesh = shapes::torus(64, 32);
+  const Adjacency adjacency(mesh.topology);
+  for (auto _ : state) {
+    const UniformRefinement refinement(adjacency, {}, find_scheme("catmull-clark"), 5);
+    benchmark::DoNotOptimize(refinement.num_vertices());
+  }
+  state.SetItemsProcessed(state.iterations() * mesh.topology.num_faces());
+}
+
+void uniform_positions(benchmark::State& state) {
+  const auto depth = static_cast<int>(state.range(0));
+  const Mesh mesh = shapes::torus(64, 32);
+  const Adjacency adjacency(mesh.topology);
+  UniformRefinement refinement(adjacency, {}, find_scheme("catmull-clark"), depth);
+  std::vector<Vec3> fine(static_cast<std::size_t>(refinement.num_vertices()));
+  for (auto _ : state) {
+    refinement.positions(mesh.points.span(), fine);
+    benchmark::DoNotOptimize(fine.data());
+  }
+  state.SetItemsProcessed(state.iterations() * refinement.num_vertices());
+}
+
+void uniform_corners(benchmark::State& state) {
+  const auto depth = static_cast<int>(state.range(0));
+  const Mesh mesh = shapes::torus(64, 32);
+  const Adjacency adjacency(mesh.topology);
+  const UniformRefinement refinement(adjacency, {}, find_scheme("catmull-clark"), depth);
+  std::vector<VertexId> corners(4 * static_cast<std::size_t>(refinement.num_faces()));
+  for (auto _ : state) {
+    refinement.corners(corners);
+    benchmark::DoNotOptimize(corners.data());
+  }
+  state.SetItemsProcessed(state.iterations() * refinement.num_faces());
+}
+
+BENCHMARK(uniform_set_up);
+BENCHMARK(uniform_positions)->DenseRange(2, 5);
+BENCHMARK(uniform_corners)->DenseRange(2, 5);
 BENCHMARK(refinement_adjacency)->Arg(32)->Arg(256);
 BENCHMARK(refinement_child_topology)->Arg(32)->Arg(256);
 BENCHMARK(refinement_positions)->Arg(32)->Arg(256);

@@ -1,9 +1,10 @@
 // Uniform refinement by limes, topology and positions timed apart.
 //   --in FILE --scheme catmull-clark --levels N --threads T
-//   --method general (one RefinementStep a level)
+//   --method uniform (UniformRefinement) | general (one RefinementStep a level)
 #include "input.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/uniform.h"
 
 using namespace bench;
 
@@ -14,6 +15,24 @@ struct Refined {
   int faces = 0;
   std::vector<limes::Vec3> points;
 };
+
+Refined refine_uniformly(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels) {
+  Refined result;
+  Timer timer;
+  const limes::Adjacency adjacency(mesh.topology);
+  limes::UniformRefinement refinement(adjacency, features_of(mesh), scheme, levels);
+  const limes::Topology topology = refinement.topology();
+  const limes::Features features = refinement.features();
+  result.topology = timer.wall();
+  result.topology_cpu = timer.cpu();
+  timer.restart();
+  result.points.resize(static_cast<std::size_t>(refinement.num_vertices()));
+  refinement.positions(mesh.points.span(), result.points);
+  result.positions = timer.wall();
+  result.positions_cpu = timer.cpu();
+  result.faces = topology.num_faces();
+  return result;
+}
 
 Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels) {
   Refined result;
@@ -51,11 +70,13 @@ void run(const Args& args) {
   const limes::Mesh mesh = load_mesh(args.get("in", "shape:cube"));
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
   const int levels = args.get("levels", 3);
-  const std::string method = args.get("method", "general");
+  const std::string method = args.get("method", "uniform");
   use_threads(args.get("threads", 1));
   const std::int64_t rss_before = peak_rss();
-  if (method != "general") throw std::runtime_error("unknown method " + method);
-  const Refined result = refine_in_general(mesh, scheme, levels);
+  if (method != "uniform" && method != "general")
+    throw std::runtime_error("unknown method " + method);
+  const auto refine_mesh = method == "uniform" ? refine_uniformly : refine_in_general;
+  const Refined result = refine_mesh(mesh, scheme, levels);
 
   JsonLine line = first_fields(args, method);
   line.add("levels", levels).add("in_faces", mesh.topology.num_faces());

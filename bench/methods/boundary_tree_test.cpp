@@ -7,7 +7,7 @@
 #include "differences.h"
 #include "limes/core/error.h"
 #include "limes/mesh/shapes.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 #include "limit/local_refinement.h"
 

@@ -2,7 +2,7 @@
 
 #include "limes/core/error.h"
 #include "limes/math/spline.h"
-#include "limes/subdiv/refine.h"
+#include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/split.h"
 
 namespace bench {
