@@ -104,9 +104,8 @@ def main():
     models, missing = find_models([args.models, ROOT / 'bench' / 'models', ROOT / 'data'])
     cases = [c for c in comparisons.all_cases(args.tiny)
              if models[c.model] and args.only in f'{c.table} {c.name}']
-    results = run_rounds(args.build, commands_of(cases, models, args.tiny),
-                         1 if args.tiny else args.rounds)
     about = machine.describe(args.build) | {'rounds': 1 if args.tiny else args.rounds}
+    results = run_rounds(args.build, commands_of(cases, models, args.tiny), about['rounds'])
     if missing:
         about['models not found'] = ', '.join(missing)
     rows = tables.rows_of(cases, models, results)

@@ -37,6 +37,8 @@ def refinement_cases(tiny):
         name = f'{model} L{levels}'
         cases.append(Case('refine', name, model, f'limes_refine {options}', theirs, target,
                           'OpenSubdiv Far'))
+        cases.append(Case('refine used', name, model, f'limes_refine {options} --memory used',
+                          {'OpenSubdiv Far': f'osd_refine {options}'}, target, 'OpenSubdiv Far'))
         cases.append(Case('refine 2 threads', name, model, f'limes_refine {options} --threads 2',
                           {'limes, 1 thread': f'limes_refine {options}'}, 1.8, 'limes, 1 thread'))
     return cases

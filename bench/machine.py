@@ -44,6 +44,7 @@ def describe(build):
         'date': datetime.date.today().isoformat(),
         'processor': first_match(r'^model name\s*:\s*(.*)$', cpu),
         'cores': cpu.count('processor\t'),
+        'load before': ' '.join(pathlib.Path('/proc/loadavg').read_text().split()[:3]),
         'caches': ', '.join(f'{n} {first_match(rf"^{n}[^:]*:[ ]*(.*)$", caches)}'
                             for n in ('L1d', 'L2', 'L3')),
         'memory': f'{memory / 2**20:.0f} GiB',

@@ -29,13 +29,13 @@ def seconds_of(table, lines):
 
 
 def limits_of(results):
-    """'fill 1' -> GB/s and so on: what the machine's memory can do."""
+    """'fill 1' -> GB per CPU second of a thread and so on: what the machine's memory can do."""
     limits = {}
     for lines in results.values():
         for line in lines:
             if line['library'] == 'bandwidth':
                 key = f'{line["kernel"]} {line["threads"]}'
-                limits.setdefault(key, []).append(line['gigabytes_per_second_median'])
+                limits.setdefault(key, []).append(line['gigabytes_per_cpu_second_median'])
     return {key: statistics.median(values) for key, values in limits.items()}
 
 
@@ -43,6 +43,7 @@ def add_memory(row, lines, fill):
     """Peak memory per face of ours, and time over that of writing the result once at fill speed."""
     first = lines[0]
     used = median(lines, 'peak_rss') - median(lines, 'rss_before')
+    row['memory'] = first['memory']
     row['bytes_per_face'] = used / first['out_faces']
     size = 24 * first['out_vertices'] + 16 * first['out_faces']
     row['times_fill'] = row['seconds'] / (size / (fill * 1e9))
@@ -63,9 +64,11 @@ def judged(row, target):
 
 def require_same_result(case, ours, theirs):
     """A ratio of times means nothing if the results differ."""
-    if theirs and abs(ours[0]['checksum'] - theirs[0]['checksum']) > 1e-8 * (1 + abs(ours[0]['checksum'])):
-        raise SystemExit(f'{case.name}: limes {ours[0]["checksum"]}, {case.same_result} '
-                         f'{theirs[0]["checksum"]}: the results differ')
+    if not theirs:
+        return
+    a, b = ours[0]['checksum'], theirs[0]['checksum']
+    if abs(a - b) > 1e-8 * (1 + abs(a)):
+        raise SystemExit(f'{case.name}: limes {a}, {case.same_result} {b}: the results differ')
 
 
 def rows_of(cases, models, results):
@@ -83,7 +86,7 @@ def rows_of(cases, models, results):
             row['others'][library] = seconds_of(case.table, results[command, path])
         if case.same_result:
             require_same_result(case, ours, results[case.theirs[case.same_result], path])
-        if case.table == 'refine' and 'fill 1' in limits:
+        if case.table in ('refine', 'refine used') and 'fill 1' in limits:
             add_memory(row, ours, limits['fill 1'])
         if case.table == 'limit':
             row['set_up'] = median(ours, 'cpu_seconds_build')
@@ -127,17 +130,20 @@ def section(rows, key, title, unit):
     return f'\n{title}\n\n' + table(columns, [ratio_line(r, libraries) for r in chosen]) + '\n'
 
 
+def memory_line(r):
+    return [r['name'], r['memory'], f'{r["out_faces"] / 1e6:.2f}',
+            f'{r["out_faces"] / r["seconds"] / 1e6:.1f}', f'{r["bytes_per_face"]:.0f}',
+            f'≤ {MAX_BYTES_PER_FACE}', f'{r["times_fill"]:.1f}', f'≤ {MAX_TIMES_FILL}']
+
+
 def memory_section(rows):
-    chosen = [r for r in rows if 'bytes_per_face' in r]
+    chosen = [memory_line(r) for r in rows if 'bytes_per_face' in r]
     if not chosen:
         return ''
-    lines = [[r['name'], f'{r["out_faces"] / 1e6:.2f}', f'{r["out_faces"] / r["seconds"] / 1e6:.1f}',
-              f'{r["bytes_per_face"]:.0f}', f'≤ {MAX_BYTES_PER_FACE}', f'{r["times_fill"]:.1f}',
-              f'≤ {MAX_TIMES_FILL}'] for r in chosen]
-    columns = ['model', 'million faces', 'million faces/s', 'peak B/face', 'target',
+    columns = ['model', 'memory', 'million faces', 'million faces/s', 'peak B/face', 'target',
                'time / fill time', 'target']
     return ('\nUniform refinement, memory and physical limit (one thread)\n\n'
-            + table(columns, lines) + '\n')
+            + table(columns, chosen) + '\n')
 
 
 def set_up_section(rows):
@@ -155,7 +161,7 @@ def limits_section(limits):
     kernels = list(dict.fromkeys(key.rsplit(' ', 1)[0] for key in limits))
     lines = [[k] + [f'{limits[f"{k} {t}"]:.1f}' if f'{k} {t}' in limits else '–' for t in (1, 2)]
              for k in kernels]
-    return ('\nWhat the memory can do (GB/s)\n\n'
+    return ('\nWhat the memory can do (GB per second of a thread)\n\n'
             + table(['kernel', '1 thread', '2 threads'], lines) + '\n')
 
 
@@ -163,6 +169,7 @@ def markdown(about, limits, rows):
     text = table(['machine', ''], [[k, str(v)] for k, v in about.items()]) + '\n'
     text += limits_section(limits)
     text += section(rows, 'refine', 'Uniform refinement, Catmull–Clark, one thread', 'time')
+    text += section(rows, 'refine used', 'The same into memory that was used before', 'time')
     text += memory_section(rows)
     text += section(rows, 'refine 2 threads', 'Uniform refinement, two threads', '2 threads')
     text += section(rows, 'update', 'New positions, the same topology', 'time')

@@ -1,7 +1,6 @@
 // Timing, memory and one-line JSON output shared by all measurement programs.
 #pragma once
 
-#include <sys/resource.h>
 #include <time.h>
 
 #include <cmath>
@@ -37,11 +36,17 @@ class Timer {
   double wall_ = 0, cpu_ = 0;
 };
 
-// Peak resident set size of this process so far, in bytes.
+// Peak resident set size of this process so far, in bytes. Not from getrusage, whose ru_maxrss also
+// counts the program that started this one.
 inline std::int64_t peak_rss() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t(usage.ru_maxrss) * 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:") {
+      std::int64_t kilobytes = 0;
+      status >> kilobytes;
+      return kilobytes * 1024;
+    }
+  throw std::runtime_error("no VmHWM in /proc/self/status");
 }
 
 // Minimal insertion-ordered JSON object, printed on one line.

@@ -1,7 +1,10 @@
 // Uniform refinement by limes, topology and positions timed apart.
 //   --in FILE --scheme catmull-clark --levels N --threads T
 //   --method uniform (UniformRefinement) | general (one RefinementStep a level)
+//   --memory fresh | used: with `used` the result is written twice, the second time is measured;
+//     what it costs to get memory from the system is then left out (method uniform only)
 #include "input.h"
+#include "limes/core/memory.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/uniform.h"
@@ -16,22 +19,24 @@ struct Refined {
   std::vector<limes::Vec3> points;
 };
 
-Refined refine_uniformly(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels) {
-  Refined result;
+/// Everything that depends on the topology, then positions; into the memory of `result` if it has any.
+void refine_uniformly(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels,
+                      std::vector<limes::VertexId>& corners, Refined& result) {
   Timer timer;
   const limes::Adjacency adjacency(mesh.topology);
   limes::UniformRefinement refinement(adjacency, features_of(mesh), scheme, levels);
-  const limes::Topology topology = refinement.topology();
+  result.faces = refinement.num_faces();
+  if (corners.empty()) limes::resize_fresh(corners, 4 * static_cast<std::size_t>(result.faces));
+  refinement.corners(corners);
   const limes::Features features = refinement.features();
   result.topology = timer.wall();
   result.topology_cpu = timer.cpu();
   timer.restart();
-  result.points.resize(static_cast<std::size_t>(refinement.num_vertices()));
+  if (result.points.empty())
+    limes::resize_fresh(result.points, static_cast<std::size_t>(refinement.num_vertices()));
   refinement.positions(mesh.points.span(), result.points);
   result.positions = timer.wall();
   result.positions_cpu = timer.cpu();
-  result.faces = topology.num_faces();
-  return result;
 }
 
 Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels) {
@@ -75,11 +80,16 @@ void run(const Args& args) {
   const std::int64_t rss_before = peak_rss();
   if (method != "uniform" && method != "general")
     throw std::runtime_error("unknown method " + method);
-  const auto refine_mesh = method == "uniform" ? refine_uniformly : refine_in_general;
-  const Refined result = refine_mesh(mesh, scheme, levels);
+  const std::string memory = args.get("memory", "fresh");
+  if (memory != "fresh" && memory != "used") throw std::runtime_error("memory: fresh or used");
+  Refined result;
+  std::vector<limes::VertexId> corners;
+  if (method == "general") result = refine_in_general(mesh, scheme, levels);
+  for (int pass = 0; method == "uniform" && pass < (memory == "used" ? 2 : 1); ++pass)
+    refine_uniformly(mesh, scheme, levels, corners, result);
 
   JsonLine line = first_fields(args, method);
-  line.add("levels", levels).add("in_faces", mesh.topology.num_faces());
+  line.add("memory", memory).add("levels", levels).add("in_faces", mesh.topology.num_faces());
   line.add("out_faces", result.faces).add("out_vertices", result.points.size());
   line.add("seconds_topology", result.topology).add("seconds_positions", result.positions);
   line.add("seconds", result.topology + result.positions);
