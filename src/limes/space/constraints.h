@@ -22,9 +22,12 @@ struct Elimination {
   [[nodiscard]] int unknown(int free) const { return dof_of_free[static_cast<std::size_t>(free)]; }
 };
 
-/// Eliminates one degree of freedom per independent constraint. Constraints that share dofs are treated
-/// together, by QR with pivoting as long as they are some thousand; those that follow from others are
-/// recognised and left out.
-[[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows);
+/// Eliminates one degree of freedom per independent constraint, by frontal QR with column pivoting
+/// along rows that share dofs; rows that follow from others are recognised and left out. Vectors that
+/// fulfil all rows are in the range of T to rounding. The factors of T are 1 or not much larger.
+/// @param rows   of any scale; a dof may occur twice in a row, its weights add up
+/// @param block  number of dofs that enter at once: a matter of speed
+[[nodiscard]] Elimination eliminate(int num_dofs, const std::vector<ConstraintRow>& rows,
+                                    int block = 100);
 
 }  // namespace limes
