@@ -120,6 +120,34 @@ std::vector<ConstraintRow> independent(const std::vector<ConstraintRow>& rows) {
   return out;
 }
 
+/// Functionals that vanish together if and only if those of all points of a side do.
+/// @param row_at  functional at s in [0, 1]
+template <class RowAt>
+std::vector<ConstraintRow> sampled(const RowAt& row_at) {
+  std::vector<ConstraintRow> rows;
+  for (const double s : points_of_side())
+    rows.push_back(row_at(s));
+  return independent(rows);
+}
+
+/// The trace of the difference between the copies of two regions: that of h and another.
+std::vector<ConstraintRow> difference_on_side(const SubdivisionSpace& space, HalfedgeId h,
+                                              int other) {
+  const FaceId f = space.field().adjacency().face(h);
+  const std::vector<int> own = space.face_dofs(f);
+  const std::vector<int> theirs = space.face_dofs(f, other);
+  std::map<int, int> copy;
+  for (std::size_t a = 0; a < own.size(); ++a)
+    if (own[a] >= 0) copy[own[a]] = theirs[a];
+  std::vector<ConstraintRow> rows = trace_of_side(space, h);
+  for (ConstraintRow& row : rows) {
+    const ConstraintRow trace = row;
+    for (const auto& [dof, weight] : trace)
+      if (copy[dof] >= 0) row.emplace_back(copy[dof], -weight);
+  }
+  return rows;
+}
+
 }  // namespace
 
 SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s) {
@@ -145,10 +173,7 @@ SidePoint side_point(const LimitBasis& basis, HalfedgeId h, double s) {
 std::vector<ConstraintRow> trace_of_side(const SubdivisionSpace& space, HalfedgeId h) {
   const int region = region_of(space, h);
   if (auto rows = regular_side(space, h, region)) return *rows;
-  std::vector<ConstraintRow> rows;
-  for (const double s : points_of_side())
-    rows.push_back(value_at_side(space, h, s, region));
-  return independent(rows);
+  return sampled([&](double s) { return value_at_side(space, h, s, region); });
 }
 
 std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a, HalfedgeId b) {
@@ -159,30 +184,11 @@ std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeI
       add_to((*rows)[k], (*other)[3 - k], -1.0);
     return *rows;
   }
-  std::vector<ConstraintRow> samples;
-  for (const double s : points_of_side()) {
-    samples.push_back(value_at_side(space, a, s, region_of(space, a)));
-    add_to(samples.back(), value_at_side(space, b, 1.0 - s, region_of(space, b)), -1.0);
-  }
-  return independent(samples);
-}
-
-/// The trace of the difference between the copies of two regions: that of h and another.
-std::vector<ConstraintRow> difference_on_side(const SubdivisionSpace& space, HalfedgeId h,
-                                              int other) {
-  const FaceId f = space.field().adjacency().face(h);
-  const std::vector<int> own = space.face_dofs(f);
-  const std::vector<int> theirs = space.face_dofs(f, other);
-  std::map<int, int> copy;
-  for (std::size_t a = 0; a < own.size(); ++a)
-    if (own[a] >= 0) copy[own[a]] = theirs[a];
-  std::vector<ConstraintRow> rows = trace_of_side(space, h);
-  for (ConstraintRow& row : rows) {
-    const ConstraintRow trace = row;
-    for (const auto& [dof, weight] : trace)
-      if (copy[dof] >= 0) row.emplace_back(copy[dof], -weight);
-  }
-  return rows;
+  return sampled([&](double s) {
+    ConstraintRow row = value_at_side(space, a, s, region_of(space, a));
+    add_to(row, value_at_side(space, b, 1.0 - s, region_of(space, b)), -1.0);
+    return row;
+  });
 }
 
 std::vector<ConstraintRow> continuity(const SubdivisionSpace& space) {

@@ -8,9 +8,23 @@
 namespace limes {
 namespace {
 
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
 /// Values of one set of functions at all points.
 struct Values {
   MatrixX N, Nu, Nv;
+
+  Values(Eigen::Index points, Eigen::Index functions)
+      : N(points, functions), Nu(points, functions), Nv(points, functions) {}
+
+  void set_derivatives(Eigen::Index i, const BasisAt& at) {
+    Nu.row(i) = at.dN.col(0).transpose();
+    Nv.row(i) = at.dN.col(1).transpose();
+  }
+};
+
+struct GeometryAndField {
+  Values geometry, field;
 };
 
 /// The nearest point at which the derivatives exist.
@@ -19,21 +33,30 @@ Vec2 inside(const Vec2& uv) {
   return uv + step * (Vec2(0.5, 0.5) - uv).cwiseSign();
 }
 
-Values evaluate(const LimitBasis& basis, FaceId f, int corner,
-                const Eigen::Matrix<double, Eigen::Dynamic, 2>& uv) {
-  const auto k = static_cast<Eigen::Index>(basis.controls(f).size());
-  Values out{MatrixX(uv.rows(), k), MatrixX(uv.rows(), k), MatrixX(uv.rows(), k)};
-  BasisAt at;
+/// Where the derivatives of one do not exist, those of both are taken inside.
+GeometryAndField evaluate(const ElementShape& shape, const Points& uv) {
+  const auto num_functions = [&](const LimitBasis& basis) {
+    return static_cast<Eigen::Index>(basis.controls(shape.face).size());
+  };
+  GeometryAndField out{{uv.rows(), num_functions(*shape.geometry)},
+                       {uv.rows(), num_functions(*shape.field)}};
+  BasisAt geometry, field;
+  const auto evaluate_both = [&](const Vec2& point) {
+    const auto a = shape.geometry->evaluate(shape.face, shape.corner, point, 1, geometry);
+    const auto b = shape.field->evaluate(shape.face, shape.corner, point, 1, field);
+    return a == LimitBasis::Point::ordinary && b == LimitBasis::Point::ordinary;
+  };
   for (Eigen::Index i = 0; i < uv.rows(); ++i) {
     const Vec2 point = uv.row(i).transpose();
-    const auto kind = basis.evaluate(f, corner, point, 1, at);
-    out.N.row(i) = at.N.transpose();
-    if (kind == LimitBasis::Point::extraordinary) {
-      const auto again = basis.evaluate(f, corner, inside(point), 1, at);
-      LIMES_ASSERT(again == LimitBasis::Point::ordinary);
+    const bool ordinary = evaluate_both(point);
+    out.geometry.N.row(i) = geometry.N.transpose();
+    out.field.N.row(i) = field.N.transpose();
+    if (!ordinary) {
+      const bool now = evaluate_both(inside(point));
+      LIMES_ASSERT(now);
     }
-    out.Nu.row(i) = at.dN.col(0).transpose();
-    out.Nv.row(i) = at.dN.col(1).transpose();
+    out.geometry.set_derivatives(i, geometry);
+    out.field.set_derivatives(i, field);
   }
   return out;
 }
@@ -85,9 +108,9 @@ ElementTable quadrature_table(const ElementShape& shape, const ElementQuadrature
             t.origin.y() + t.size * rule.point[j];
         table.weight(row) = t.size * t.size * rule.weight[i] * rule.weight[j];
       }
-  set_geometry(evaluate(*shape.geometry, shape.face, shape.corner, table.uv), table);
-  const Values field = evaluate(*shape.field, shape.face, shape.corner, table.uv);
-  set_field(field, felt(field), table);
+  GeometryAndField all = evaluate(shape, table.uv);
+  set_geometry(std::move(all.geometry), table);
+  set_field(all.field, felt(all.field), table);
   return table;
 }
 
@@ -97,8 +120,9 @@ ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& po
   table.uv.resize(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i)
     table.uv.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-  set_geometry(evaluate(*shape.geometry, shape.face, shape.corner, table.uv), table);
-  set_field(evaluate(*shape.field, shape.face, shape.corner, table.uv), active, table);
+  GeometryAndField all = evaluate(shape, table.uv);
+  set_geometry(std::move(all.geometry), table);
+  set_field(all.field, active, table);
   return table;
 }
 

@@ -29,8 +29,9 @@ struct ElementQuadrature {
 [[nodiscard]] ElementTable quadrature_table(const ElementShape& shape,
                                             const ElementQuadrature& quadrature);
 
-/// Values at given points. Derivatives at an extraordinary vertex, which do not exist, are those
-/// 2^-20 of the element's size further inside, where physical gradients have converged.
+/// Values at given points. Where derivatives of the geometry or of the field do not exist, at an
+/// extraordinary vertex, those of both are taken at one point 2^-20 of the element further inside,
+/// where physical gradients have converged.
 /// @param active  the field functions to keep
 [[nodiscard]] ElementTable sample_table(const ElementShape& shape, const std::vector<Vec2>& points,
                                         const std::vector<int>& active);

@@ -1,6 +1,8 @@
 #include "limes/space/subdivision_space.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "limes/core/error.h"

@@ -13,12 +13,10 @@
 namespace limes {
 namespace {
 
-/// Conditions between the regions of the space first, then those of the problem.
-std::vector<ConstraintRow> with_continuity(const PlaneModel& model,
-                                           const std::vector<ConstraintRow>& rows) {
-  std::vector<ConstraintRow> all = on_both_components(continuity(*model.space));
-  all.insert(all.end(), rows.begin(), rows.end());
-  return all;
+std::vector<ConstraintRow> joined(std::vector<ConstraintRow> rows,
+                                  const std::vector<ConstraintRow>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
 }
 
 /// The system after elimination.
@@ -73,14 +71,15 @@ SparseMatrix support_rows(const Constraints& constraints, const Elimination& con
   return C;
 }
 
-/// Splits the residual K u - f = C^T lambda among the supports, and says what they leave of f. Forces that only hold the regions of
-/// the space together are taken out before. Conditions that two supports share are carried by both.
-void set_reactions(const PlaneModel& model, const Constraints& constraints, const VectorX& f,
-                   const VectorX& residual, PlaneSolution& solution) {
+/// Splits the residual K u - f = C^T lambda among the supports, and says what they leave of f. Forces
+/// that only hold the regions of the space together are taken out before. Conditions that two supports
+/// share are carried by both.
+void set_reactions(const PlaneModel& model, const std::vector<ConstraintRow>& between_regions,
+                   const Constraints& constraints, const VectorX& f, const VectorX& residual,
+                   PlaneSolution& solution) {
   const Positions x = model.space->position_coefficients();
   solution.imbalance = resultant_of(f, x, model.centre);
-  const Elimination continuous =
-      eliminate(static_cast<int>(residual.size()), on_both_components(continuity(*model.space)));
+  const Elimination continuous = eliminate(static_cast<int>(residual.size()), between_regions);
   const SparseMatrix C = support_rows(constraints, continuous);
   const VectorX lambda = DirectSolver(SparseMatrix(C * C.transpose()))
                              .solve(C * (continuous.T.transpose() * residual));
@@ -117,7 +116,8 @@ void require_no_supports(const Problem& problem) {
 PlaneSolution solve_supported(const PlaneModel& model) {
   PlaneSolution solution;
   const Constraints constraints = support_constraints(model);
-  const std::vector<ConstraintRow> rows = with_continuity(model, constraints.rows);
+  const std::vector<ConstraintRow> between_regions = on_both_components(continuity(*model.space));
+  const std::vector<ConstraintRow> rows = joined(between_regions, constraints.rows);
   require_no_rigid_motion(model, rows);
   const VectorX f = assemble_loads(model);
   check_interrupt();
@@ -128,7 +128,7 @@ PlaneSolution solve_supported(const PlaneModel& model) {
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   solution.load_size = f.lpNorm<1>();
   solution.loads = resultant_of(f, model.space->position_coefficients());
-  set_reactions(model, constraints, f, internal - f, solution);
+  set_reactions(model, between_regions, constraints, f, internal - f, solution);
   return solution;
 }
 
@@ -137,7 +137,8 @@ PlaneSolution solve_periodic(const PlaneModel& model) {
   PlaneSolution solution;
   const PeriodicCell cell = find_periodic_cell(model);
   const double volume = cell.area() * thickness_of_cell(model);
-  const std::vector<ConstraintRow> rows = with_continuity(model, periodic_constraints(model, cell));
+  const std::vector<ConstraintRow> rows =
+      joined(on_both_components(continuity(*model.space)), periodic_constraints(model, cell));
   require_no_rigid_motion(model, rows);
   check_interrupt();
   const SparseMatrix K = elasticity_matrix(*model.space, model.C);
