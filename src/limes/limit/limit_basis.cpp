@@ -1,10 +1,12 @@
 #include "limes/limit/limit_basis.h"
 
+#include <array>
 #include <string>
 #include <utility>
 
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
+#include "limes/core/parallel.h"
 #include "limes/math/spline.h"
 
 namespace limes {
@@ -166,19 +168,42 @@ LimitBasis::LimitBasis(Topology topology, Features features, const Scheme& schem
 
 LimitBasis::~LimitBasis() = default;
 
+/// Most faces of most meshes have the same plain ring, whose controls are found directly and in
+/// parallel; the others are gathered and looked up one by one.
 void LimitBasis::gather_kinds() {
   const Sharpness sharpness(adjacency_, features_);
-  kind_.resize(static_cast<std::size_t>(topology_.num_faces()));
-  first_control_.reserve(static_cast<std::size_t>(topology_.num_faces()) + 1);
+  const Scheme& scheme = kinds_.scheme();
+  const bool travels = features_.crease_method == CreaseMethod::chaikin && !features_.edges.empty();
+  const bool may_be_plain = scheme.reach == 1 && !travels;
+  const auto num_faces = static_cast<std::size_t>(topology_.num_faces());
+  std::vector<std::array<VertexId, 16>> plain(may_be_plain ? num_faces : 0);
+  if (may_be_plain)
+    for_each_index(topology_.num_faces(), [&](std::int64_t f) {
+      const auto ring = plain_ring(adjacency_, sharpness, FaceId(f));
+      if (ring) plain[static_cast<std::size_t>(f)] = *ring;
+    });
+
+  kind_.resize(num_faces);
+  first_control_.reserve(num_faces + 1);
+  controls_.reserve(16 * num_faces);
   first_control_.push_back(0);
-  for (int f = 0; f < topology_.num_faces(); ++f) {
-    if (f % 256 == 0) check_interrupt();
-    Ring ring = gather_ring(adjacency_, features_, sharpness, kinds_.scheme(), FaceId(f));
-    controls_.insert(controls_.end(), ring.vertices.begin(),
-                     ring.vertices.begin() + ring.num_controls);
+  int plain_kind = -1;
+  for (std::size_t i = 0; i < num_faces; ++i) {
+    if (i % 256 == 0) check_interrupt();
+    const FaceId f(static_cast<std::int64_t>(i));
+    const bool is_plain = may_be_plain && plain[i][0].valid();
+    if (is_plain && plain_kind >= 0) {
+      controls_.insert(controls_.end(), plain[i].begin(), plain[i].end());
+      kind_[f] = plain_kind;
+    } else {
+      Ring ring = gather_ring(adjacency_, features_, sharpness, scheme, f);
+      controls_.insert(controls_.end(), ring.vertices.begin(),
+                       ring.vertices.begin() + ring.num_controls);
+      ring.vertices.resize(static_cast<std::size_t>(ring.num_controls));
+      kind_[f] = kinds_.kind_of(std::move(ring));
+      if (is_plain) plain_kind = kind_[f];
+    }
     first_control_.push_back(static_cast<std::int64_t>(controls_.size()));
-    ring.vertices.resize(static_cast<std::size_t>(ring.num_controls));
-    kind_[FaceId(f)] = kinds_.kind_of(std::move(ring));
   }
 }
 

@@ -157,6 +157,53 @@ Ring gather_ring(const Adjacency& adjacency, const Features& features, const Sha
   return ring;
 }
 
+namespace {
+
+/// Four quads and four edges without sharpness around the start of h.
+bool is_plain_corner(const Adjacency& adjacency, const Sharpness& sharpness, HalfedgeId h) {
+  if (sharpness.vertex(adjacency.from(h)) > 0) return false;
+  HalfedgeId at = h;
+  for (int i = 0; i < 4; ++i) {
+    if (adjacency.topology().face_size(adjacency.face(at)) != 4) return false;
+    if (sharpness.edge(adjacency.edge(at)) > 0) return false;  // or on the boundary
+    at = adjacency.ring_next(at);
+    if (!at.valid() || (at == h) != (i == 3)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::array<VertexId, 16>> plain_ring(const Adjacency& adjacency,
+                                                   const Sharpness& sharpness, FaceId f) {
+  if (adjacency.topology().face_size(f) != 4) return {};
+  std::array<VertexId, 16> vertices;
+  std::size_t count = 0;
+  for (int i = 0; i < 4; ++i) {
+    const HalfedgeId h = adjacency.topology().halfedge(f, i);
+    if (!is_plain_corner(adjacency, sharpness, h)) return {};
+    vertices[count++] = adjacency.from(h);
+  }
+  // Around corner 0 the face across side 3, the diagonal one and the one across side 0; around the
+  // others the diagonal face and the next. Each adds the vertices that are new.
+  for (int i = 0; i < 4; ++i) {
+    const HalfedgeId across = adjacency.ring_next(adjacency.topology().halfedge(f, i));
+    const HalfedgeId diagonal = adjacency.ring_next(across);
+    if (i == 0) {
+      vertices[count++] = adjacency.to(adjacency.next(across));
+      vertices[count++] = adjacency.from(adjacency.prev(across));
+    }
+    vertices[count++] = adjacency.to(adjacency.next(diagonal));
+    if (i == 3) break;
+    vertices[count++] = adjacency.from(adjacency.prev(diagonal));
+    vertices[count++] = adjacency.to(adjacency.next(adjacency.ring_next(diagonal)));
+  }
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (vertices[i] == vertices[j]) return {};
+  return vertices;
+}
+
 std::string ring_key(const Ring& ring) {
   std::string key;
   key.reserve(

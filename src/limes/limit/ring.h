@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,13 @@ struct Ring {
 /// Precondition: the faces around the corners of f are manifold.
 [[nodiscard]] Ring gather_ring(const Adjacency& adjacency, const Features& features,
                                const Sharpness& sharpness, const Scheme& scheme, FaceId f);
+
+/// The vertices of gather_ring in the same order, found directly, if the ring is of the most common
+/// kind: 3 x 3 quads with 16 different vertices and nothing sharp at the corners of f. For schemes
+/// that reach one ring.
+[[nodiscard]] std::optional<std::array<VertexId, 16>> plain_ring(const Adjacency& adjacency,
+                                                                 const Sharpness& sharpness,
+                                                                 FaceId f);
 
 /// Equal for rings that have the same topology and features.
 [[nodiscard]] std::string ring_key(const Ring& ring);
