@@ -13,6 +13,7 @@
 #include "limes/core/parallel.h"
 #include "limes/core/text.h"
 #include "limes/io/lines.h"
+#include "limes/limit/bulk_evaluator.h"
 #include "memory.h"
 #include "mesh_surface.h"
 #include "run.h"
@@ -65,27 +66,54 @@ void append_row(const SurfacePoint& p, fmt::memory_buffer& out) {
   out.push_back('\n');
 }
 
-/// Evaluates piece by piece, so that memory does not grow with the number of points.
-void write_table(const LimitSurface& surface, std::span<const SamplePoint> points,
-                 const std::filesystem::path& output) {
+/// Lines of a table for points [first, last) of a part.
+void append_rows(const LimitSurface& surface, std::span<const SurfaceLocation> part,
+                 const SurfaceValues& values, std::size_t first, std::size_t last,
+                 fmt::memory_buffer& out) {
+  auto extraordinary = std::lower_bound(values.extraordinary.begin(), values.extraordinary.end(),
+                                        static_cast<std::int64_t>(first));
+  for (std::size_t i = first; i < last; ++i) {
+    if (extraordinary != values.extraordinary.end() &&
+        *extraordinary == static_cast<std::int64_t>(i)) {
+      ++extraordinary;
+      append_row(surface.evaluate(part[i].face, part[i].corner, part[i].uv), out);
+    } else {
+      append_row(ordinary_point(values.x[i], {values.xu[i], values.xv[i]},
+                                {values.xuu[i], values.xuv[i], values.xvv[i]}),
+                 out);
+    }
+  }
+}
+
+/// Evaluates piece by piece, so that memory does not grow with the number of points; several
+/// threads write the lines of a piece.
+void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
+                 std::span<const SamplePoint> points, const std::filesystem::path& output) {
   constexpr std::size_t piece = 1 << 14;
+  constexpr std::size_t rows = 1 << 9;  // of one text
   AtomicFile file(output);
   file.write(head);
   Progress progress("evaluating", static_cast<std::int64_t>(points.size()));
-  std::vector<SurfacePoint> values;
+  std::vector<SurfaceLocation> part;
+  SurfaceValues values;
+  std::vector<fmt::memory_buffer> texts(piece / rows);
   for (std::size_t begin = 0; begin < points.size(); begin += piece) {
     check_interrupt();
-    const auto part = points.subspan(begin, std::min(piece, points.size() - begin));
-    values.resize(part.size());
+    part.clear();
+    for (const SamplePoint& p : points.subspan(begin, std::min(piece, points.size() - begin)))
+      part.push_back({p.face, p.corner, p.uv});
+    bulk.evaluate(part, 2, values);
+    const std::size_t num_texts = (part.size() + rows - 1) / rows;
     for_each_block(
-        static_cast<std::int64_t>(part.size()), 64, [&](std::int64_t first, std::int64_t last) {
-          for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-            values[i] = surface.evaluate(part[i].face, part[i].corner, part[i].uv);
+        static_cast<std::int64_t>(num_texts), 1, [&](std::int64_t first, std::int64_t last) {
+          for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t) {
+            texts[t].clear();
+            append_rows(surface, part, values, t * rows, std::min(part.size(), (t + 1) * rows),
+                        texts[t]);
+          }
         });
-    fmt::memory_buffer text;
-    for (const SurfacePoint& p : values)
-      append_row(p, text);
-    file.write({text.data(), text.size()});
+    for (std::size_t t = 0; t < num_texts; ++t)
+      file.write({texts[t].data(), texts[t].size()});
     progress.advance(static_cast<std::int64_t>(part.size()));
   }
   check_interrupt();
@@ -103,7 +131,8 @@ void EvaluateCommand::operator()() const {
       throw error_at(points.string(), p.line,
                      "face {} touches the boundary and has no surface with boundary rule none",
                      p.face.value);
-  write_table(surface.surface(), samples, output);
+  const BulkEvaluator bulk(surface.surface().basis(), surface.mesh().points.span());
+  write_table(surface.surface(), bulk, samples, output);
   if (run.json)
     print_object({{"points", samples.size()},
                   {"seconds", current.seconds()},

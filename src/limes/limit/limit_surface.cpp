@@ -1,5 +1,6 @@
 #include "limes/limit/limit_surface.h"
 
+#include <array>
 #include <cmath>
 
 #include "limes/core/error.h"
@@ -48,6 +49,17 @@ struct ControlPoints {
 
 }  // namespace
 
+SurfacePoint ordinary_point(const Vec3& x, const SurfacePoint::First& first,
+                            const SurfacePoint::Second& second) {
+  SurfacePoint out;
+  out.x = x;
+  out.first = first;
+  out.second = second;
+  out.normal = unit_normal(first.xu, first.xv);
+  if (out.normal) out.curvature = curvature(first, second, *out.normal);
+  return out;
+}
+
 LimitSurface::LimitSurface(const LimitBasis& basis, std::span<const Vec3> points)
     : basis_(&basis), points_(points) {
   LIMES_ASSERT(static_cast<int>(points.size()) == basis.topology().num_vertices());
@@ -63,9 +75,9 @@ SurfacePoint LimitSurface::evaluate(FaceId f, int corner, const Vec2& uv) const 
   BasisAt basis;
   const LimitBasis::Point kind = basis_->evaluate(f, corner, uv, 2, basis);
   const ControlPoints control(basis_->controls(f), points_);
-  SurfacePoint out;
-  out.x = control.position(basis);
   if (kind == LimitBasis::Point::extraordinary) {
+    SurfacePoint out;
+    out.x = control.position(basis);
     const auto tangents = basis_->tangent_rows(f, corner, uv);
     if (tangents) {
       const Eigen::Matrix<double, 2, 3> t = *tangents * control.relative;
@@ -75,27 +87,68 @@ SurfacePoint LimitSurface::evaluate(FaceId f, int corner, const Vec2& uv) const 
   }
   const Eigen::Matrix<double, 2, 3> d = basis.dN.transpose() * control.relative;
   const Mat3 dd = basis.ddN.transpose() * control.relative;
-  out.first = {d.row(0).transpose(), d.row(1).transpose()};
-  out.second = {dd.row(0).transpose(), dd.row(1).transpose(), dd.row(2).transpose()};
-  out.normal = unit_normal(out.first->xu, out.first->xv);
-  if (out.normal) out.curvature = curvature(*out.first, *out.second, *out.normal);
-  return out;
+  return ordinary_point(control.position(basis), {d.row(0).transpose(), d.row(1).transpose()},
+                        {dd.row(0).transpose(), dd.row(1).transpose(), dd.row(2).transpose()});
 }
 
-IdArray<VertexId, Vec3> limit_positions(const LimitSurface& surface, std::span<const Vec3> points) {
-  const LimitBasis& basis = surface.basis();
-  const Adjacency& adjacency = basis.adjacency();
-  IdArray<VertexId, Vec3> limits(std::vector<Vec3>(points.begin(), points.end()));
-  for_each_index(limits.size(), [&](std::int64_t i) {
-    const VertexId v(i);
-    const HalfedgeId h = adjacency.ring_start(v);
-    if (!h.valid()) return;
-    const FaceId f = adjacency.face(h);
-    const int c = adjacency.corner_index(h);
+namespace {
+
+/// Weights of the limit at corners of faces, computed once for each kind and corner that is asked for.
+class CornerWeights {
+ public:
+  explicit CornerWeights(const LimitBasis& basis) : basis_(basis) {}
+
+  void prepare(FaceId f, int c) {
+    const auto kind = static_cast<std::size_t>(basis_.kind(f));
+    if (kind >= weights_.size()) weights_.resize(kind + 1);
+    weights_[kind].resize(static_cast<std::size_t>(basis_.topology().face_size(f)));
+    VectorX& w = weights_[kind][static_cast<std::size_t>(c)];
+    if (w.size() == 0) w = corner_weights(f, c);
+  }
+
+  /// Precondition: prepared.
+  [[nodiscard]] Vec3 position(FaceId f, int c, std::span<const Vec3> points) const {
+    const VectorX& w =
+        weights_[static_cast<std::size_t>(basis_.kind(f))][static_cast<std::size_t>(c)];
+    const auto ids = basis_.controls(f);
+    // Relative to the first control point, as everywhere.
+    const Vec3 origin = points[static_cast<std::size_t>(ids[0].value)];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      sum += w[static_cast<Eigen::Index>(k)] *
+             (points[static_cast<std::size_t>(ids[k].value)] - origin);
+    return sum + origin;
+  }
+
+ private:
+  [[nodiscard]] VectorX corner_weights(FaceId f, int c) const {
     static const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
-    const bool quad = basis.topology().face_size(f) == 4;
-    limits[v] = quad ? surface.position(f, 0, corners[static_cast<std::size_t>(c)])
-                     : surface.position(f, c, Vec2(0, 0));
+    const bool quad = basis_.topology().face_size(f) == 4;
+    BasisAt at;
+    basis_.evaluate(f, quad ? 0 : c, quad ? corners[static_cast<std::size_t>(c)] : Vec2(0, 0), 0,
+                    at);
+    return at.N;
+  }
+
+  const LimitBasis& basis_;
+  std::vector<std::vector<VectorX>> weights_;  // by kind and corner
+};
+
+}  // namespace
+
+IdArray<VertexId, Vec3> limit_positions(const LimitSurface& surface, std::span<const Vec3> points) {
+  const Adjacency& adjacency = surface.basis().adjacency();
+  IdArray<VertexId, Vec3> limits(std::vector<Vec3>(points.begin(), points.end()));
+  const auto for_each_used = [&](std::int64_t i, const auto& use) {
+    const HalfedgeId h = adjacency.ring_start(VertexId(i));
+    if (h.valid()) use(adjacency.face(h), adjacency.corner_index(h));
+  };
+  CornerWeights weights(surface.basis());
+  for (int i = 0; i < limits.size(); ++i)
+    for_each_used(i, [&](FaceId f, int c) { weights.prepare(f, c); });
+  for_each_index(limits.size(), [&](std::int64_t i) {
+    for_each_used(i,
+                  [&](FaceId f, int c) { limits[VertexId(i)] = weights.position(f, c, points); });
   });
   return limits;
 }

@@ -24,6 +24,10 @@ struct SurfacePoint {
   std::optional<Curvature> curvature;
 };
 
+/// A point that is not extraordinary: normal and curvature from its derivatives.
+[[nodiscard]] SurfacePoint ordinary_point(const Vec3& x, const SurfacePoint::First& first,
+                                          const SurfacePoint::Second& second);
+
 /// Limit functions with control points: position, derivatives, normal and curvature at
 /// (face, corner, u, v). Parameters as in LimitBasis. Keeps references.
 class LimitSurface {
