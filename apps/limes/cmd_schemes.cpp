@@ -31,6 +31,8 @@ std::string limit_of(const Scheme& scheme) {
       return "bilinear";
     case LimitPatch::bicubic:
       return "bicubic";
+    case LimitPatch::box_spline:
+      return "box spline (not evaluated yet)";
   }
   return {};
 }

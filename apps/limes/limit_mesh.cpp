@@ -4,20 +4,20 @@
 
 #include "limes/limit/limit_surface.h"
 #include "limes/subdiv/drop_faces.h"
+#include "limes/subdiv/split.h"
 
 namespace limes::app {
 namespace {
 
-/// The marks of faces handed down to their children after some quadrisections.
-std::vector<bool> children_of_marked(const Topology& topology, const std::vector<bool>& marked,
-                                     int levels) {
-  if (levels == 0) return marked;
-  const std::int64_t per_corner = std::int64_t{1} << (2 * (levels - 1));
+/// The marks of faces handed down to their descendants.
+std::vector<bool> descendants_of_marked(const Topology& topology, const std::vector<bool>& marked,
+                                        const Scheme& scheme, int levels) {
   std::vector<bool> result;
-  for (int f = 0; f < topology.num_faces(); ++f)
-    result.insert(result.end(),
-                  static_cast<std::size_t>(topology.face_size(FaceId(f)) * per_corner),
+  for (int f = 0; f < topology.num_faces(); ++f) {
+    const FaceRange range = descendants(topology, FaceId(f), scheme.split, levels);
+    result.insert(result.end(), static_cast<std::size_t>(range.end - range.begin),
                   marked[static_cast<std::size_t>(f)]);
+  }
   return result;
 }
 
@@ -34,7 +34,8 @@ Mesh limit_mesh(const Mesh& mesh, const Scheme& scheme, const RefineOptions& opt
   fine.points = limit_positions(LimitSurface(basis, fine.points.span()), fine.points.span());
   if (!drop) return fine;
   const std::vector<bool> unsupported = unsupported_faces(Adjacency(mesh.topology), mesh.tags);
-  return without_faces(fine, children_of_marked(mesh.topology, unsupported, options.levels));
+  return without_faces(fine,
+                       descendants_of_marked(mesh.topology, unsupported, scheme, options.levels));
 }
 
 }  // namespace limes::app

@@ -13,9 +13,9 @@ Features features_of(const Mesh& mesh, const SchemeChoice& choice) {
 }
 
 const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
-  if (scheme.patch == LimitPatch::none)
-    throw InputError("{}: {} has no polynomial limit; its surface cannot be evaluated exactly",
-                     file, scheme.name);
+  if (!has_exact_limit(scheme))
+    throw InputError("{}: the limit surface of {} cannot be evaluated exactly{}", file, scheme.name,
+                     scheme.patch == LimitPatch::none ? "" : " yet");
   return scheme;
 }
 

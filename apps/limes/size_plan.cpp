@@ -17,7 +17,8 @@ MeshSize size_of(const Topology& topology) {
 }
 
 MeshSize refined_size(const MeshSize& s, const Scheme& scheme) {
-  LIMES_ASSERT(scheme.split == Split::quadrisect);
+  if (scheme.split == Split::triangles)
+    return {s.vertices + s.edges, 2 * s.edges + 3 * s.faces, 4 * s.faces, 12 * s.faces};
   return {s.vertices + s.edges + s.faces, 2 * s.edges + s.corners, s.corners, 4 * s.corners};
 }
 

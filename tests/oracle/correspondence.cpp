@@ -70,7 +70,8 @@ Correspondence descend(const Correspondence& parent, const osd::Far::TopologyLev
     child.vertex[static_cast<std::size_t>(their_parent.GetEdgeChildVertex(e))] =
         num_vertices + edges.at(edge_of(ours(ends[0]), ours(ends[1])));
   }
-  for (int f = 0; f < their_parent.GetNumFaces(); ++f)
+  const bool triangles = our_child.uniform_face_size() == 3;
+  for (int f = 0; f < their_parent.GetNumFaces() && !triangles; ++f)
     child.vertex[static_cast<std::size_t>(their_parent.GetFaceChildVertex(f))] =
         num_vertices + num_edges + parent.face[static_cast<std::size_t>(f)];
 
@@ -80,33 +81,38 @@ Correspondence descend(const Correspondence& parent, const osd::Far::TopologyLev
     const auto corners = our_parent.face(our_face);
     const int n = static_cast<int>(corners.size());
     const auto corner = [&](int i) { return corners[static_cast<std::size_t>((i + n) % n)].value; };
+    const auto edge = [&](int i) {
+      return num_vertices + edges.at(edge_of(corner(i), corner(i + 1)));
+    };
     const auto their_children = their_parent.GetFaceChildFaces(f);
-    for (int i = 0; i < n; ++i) {
-      const int k = (i + parent.turn[at]) % n;  // our corner
-      const FaceId our(our_parent.halfedge(our_face, 0).value + k);
+    for (int i = 0; i < their_children.size(); ++i) {
+      const bool middle = i == n;                            // of a triangle
+      const int k = middle ? n : (i + parent.turn[at]) % n;  // our corner
+      const FaceId our(triangles ? 4 * our_face.value + k
+                                 : our_parent.halfedge(our_face, 0).value + k);
       const auto theirs = static_cast<std::size_t>(their_children[i]);
       child.face[theirs] = our.value;
-      // our promise: (v_k, e_k, f, e_{k-1})
-      const std::array<int, 4> promised = {
-          corner(k), num_vertices + edges.at(edge_of(corner(k), corner(k + 1))),
-          num_vertices + num_edges + our_face.value,
-          num_vertices + edges.at(edge_of(corner(k - 1), corner(k)))};
+      const std::vector<int> promised =
+          middle      ? std::vector<int>{edge(0), edge(1), edge(2)}
+          : triangles ? std::vector<int>{corner(k), edge(k), edge(k - 1)}
+                      : std::vector<int>{corner(k), edge(k),
+                                         num_vertices + num_edges + our_face.value, edge(k - 1)};
+      const std::size_t size = promised.size();
       const auto got = our_child.face(our);
-      for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t j = 0; j < size; ++j)
         if (got[j].value != promised[j])
           complain(fmt::format("child face {} has vertex {} at corner {}, not {}", our.value,
                                got[j].value, j, promised[j]));
       // theirs: the same face, perhaps turned
       const auto their_corners = their_child.GetFaceVertices(their_children[i]);
-      std::array<int, 4> mapped{};
-      for (int j = 0; j < 4; ++j)
-        mapped[static_cast<std::size_t>(j)] =
-            child.vertex[static_cast<std::size_t>(their_corners[j])];
+      std::vector<int> mapped;
+      for (const int v : their_corners)
+        mapped.push_back(child.vertex[static_cast<std::size_t>(v)]);
       const auto first = std::find(promised.begin(), promised.end(), mapped[0]);
       const int turn = static_cast<int>(first - promised.begin());
       child.turn[theirs] = turn;
-      for (std::size_t j = 0; j < 4; ++j)
-        if (mapped[j] != promised[(j + static_cast<std::size_t>(turn)) % 4])
+      for (std::size_t j = 0; j < size; ++j)
+        if (mapped[j] != promised[(j + static_cast<std::size_t>(turn)) % size])
           complain(fmt::format("child face {} joins other vertices than OpenSubdiv's {}", our.value,
                                their_children[i]));
     }

@@ -22,7 +22,7 @@ Correspondence identity(const Topology& topology);
 /// One level down. Our children are named by the numbering that DESIGN promises, restated here:
 /// old vertices, edge vertices by first appearance of the edge in (face, corner) order, face
 /// vertices; child i of a face is (v_i, e_i, f, e_{i-1}) and the children of a face follow each
-/// other. Says in `wrong` where our child topology is not that, or not OpenSubdiv's.
+/// other. With triangles child i is (v_i, e_i, e_{i-1}), and a fourth is (e_0, e_1, e_2). Says in `wrong` where our child topology is not that, or not OpenSubdiv's.
 Correspondence descend(const Correspondence& parent, const osd::Far::TopologyLevel& their_parent,
                        const osd::Far::TopologyLevel& their_child, const Topology& our_parent,
                        const Topology& our_child, std::string& wrong);

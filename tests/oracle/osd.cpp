@@ -83,7 +83,9 @@ std::unique_ptr<osd::Far::TopologyRefiner> make_refiner(const Mesh& mesh, const 
   d.cornerWeights = corner_sharpness.data();
   d.numHoles = static_cast<int>(holes.size());
   d.holeIndices = holes.data();
-  const auto type = scheme.name == "linear" ? osd::Sdc::SCHEME_BILINEAR : osd::Sdc::SCHEME_CATMARK;
+  const auto type = scheme.name == "linear" ? osd::Sdc::SCHEME_BILINEAR
+                    : scheme.name == "loop" ? osd::Sdc::SCHEME_LOOP
+                                            : osd::Sdc::SCHEME_CATMARK;
   Factory::Options options(type, sdc_options(mesh.tags, boundary));
   std::unique_ptr<osd::Far::TopologyRefiner> refiner(Factory::Create(d, options));
   if (!refiner) throw std::runtime_error("OpenSubdiv rejected the mesh");

@@ -25,6 +25,9 @@ const std::map<std::string, std::string>& refused() {
       {"catmark_square_hedit3", "hierarchical edits are not supported"},
       {"catmark_square_hedit4", "hierarchical edits are not supported"},
       {"catmark_val2_nonman", "edge 0-1 has 4 faces"},
+      {"loop_nonman_edge100", "edge 100-101 has 100 faces"},
+      {"loop_nonman_verts", "vertex 1 joins faces that share no edge"},
+      {"loop_val2_interior", "edge 10-11 has 4 faces"},
   };
   return table;
 }

@@ -160,9 +160,8 @@ LimitBasis::LimitBasis(Topology topology, Features features, const Scheme& schem
       adjacency_(topology_),
       features_(std::move(features)),
       kinds_(scheme) {
-  if (scheme.patch == LimitPatch::none)
-    throw InputError("{} has no polynomial limit; its limit surface cannot be evaluated exactly",
-                     scheme.name);
+  if (!has_exact_limit(scheme))
+    throw InputError("the limit surface of {} cannot be evaluated exactly", scheme.name);
   gather_kinds();
 }
 

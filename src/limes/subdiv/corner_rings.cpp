@@ -122,6 +122,7 @@ void CornerRings::advance(const Ring& ring, Workspace& w) const {
                                   boundary ? FaceId() : FaceId((k + faces - 1) % faces)},
                         .face_sizes = {4, boundary ? 0 : 4},
                         .num_faces = boundary ? 1 : 2,
+                        .opposite = {},
                         .sharpness = s,
                         .child_sharp = is_sharp(decayed(s))},
                        Features{}, w.stencil);

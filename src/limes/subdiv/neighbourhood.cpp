@@ -64,6 +64,8 @@ EdgeNeighbourhood NeighbourhoodWalk::edge(EdgeId e) {
   n.faces = {a.face(h), twin.valid() ? a.face(twin) : FaceId()};
   n.face_sizes = {a.topology().face_size(n.faces[0]),
                   twin.valid() ? a.topology().face_size(n.faces[1]) : 0};
+  if (n.face_sizes[0] == 3) n.opposite[0] = a.from(a.prev(h));
+  if (n.face_sizes[1] == 3) n.opposite[1] = a.from(a.prev(twin));
   n.sharpness = sharpness_->edge(e);
   // The other end is the start of the twin; a boundary edge has none but is infinitely sharp.
   n.child_sharp = is_sharp(n.sharpness) &&

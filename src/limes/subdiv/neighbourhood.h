@@ -20,6 +20,7 @@ struct EdgeNeighbourhood {
   std::array<FaceId, 2> faces;  ///< only the first on the boundary
   std::array<int, 2> face_sizes;
   int num_faces;
+  std::array<VertexId, 2> opposite;  ///< third corners of the faces that are triangles
   float sharpness;
   bool child_sharp;  ///< both halves are still sharp on the next level
 };

@@ -3,27 +3,17 @@
 #include "limes/core/memory.h"
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/drop_faces.h"
+#include "limes/subdiv/split.h"
 #include "limes/subdiv/uniform.h"
 
 namespace limes {
 namespace {
 
-/// Faces that a face becomes after some steps of quadrisection: consecutive ones.
-struct Descendants {
-  std::int64_t begin, end;
-};
-Descendants descendants(const Topology& control, FaceId f, int levels) {
-  if (levels == 0) return {f.value, f.value + 1};
-  const std::int64_t first = control.halfedge(f, 0).value;
-  const int shift = 2 * (levels - 1);
-  return {first << shift, (first + control.face_size(f)) << shift};
-}
-
 std::vector<FaceId> descendants(const Topology& control, const std::vector<FaceId>& faces,
-                                int levels) {
+                                Split split, int levels) {
   std::vector<FaceId> all;
   for (const FaceId f : faces) {
-    const Descendants d = descendants(control, f, levels);
+    const FaceRange d = descendants(control, f, split, levels);
     for (std::int64_t i = d.begin; i < d.end; ++i)
       all.push_back(FaceId(i));
   }
@@ -31,18 +21,18 @@ std::vector<FaceId> descendants(const Topology& control, const std::vector<FaceI
 }
 
 std::vector<FaceGroup> descendants(const Topology& control, const std::vector<FaceGroup>& groups,
-                                   int levels) {
+                                   Split split, int levels) {
   std::vector<FaceGroup> all;
   for (const FaceGroup& g : groups)
-    all.push_back({g.name, descendants(control, g.faces, levels)});
+    all.push_back({g.name, descendants(control, g.faces, split, levels)});
   return all;
 }
 
-std::vector<bool> descendants(const Topology& control, const std::vector<bool>& marked,
+std::vector<bool> descendants(const Topology& control, const std::vector<bool>& marked, Split split,
                               int levels) {
   std::vector<bool> all;
   for (int f = 0; f < control.num_faces(); ++f) {
-    const Descendants d = descendants(control, FaceId(f), levels);
+    const FaceRange d = descendants(control, FaceId(f), split, levels);
     all.insert(all.end(), static_cast<std::size_t>(d.end - d.begin),
                marked[static_cast<std::size_t>(f)]);
   }
@@ -66,13 +56,13 @@ Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options
     features = refinement.features();
   }
   fine.tags = tags_of(fine.topology, features);
-  fine.tags.holes = descendants(mesh.topology, mesh.tags.holes, options.levels);
+  fine.tags.holes = descendants(mesh.topology, mesh.tags.holes, scheme.split, options.levels);
   fine.tags.boundary = mesh.tags.boundary;
-  fine.groups = descendants(mesh.topology, mesh.groups, options.levels);
-  fine.parts = descendants(mesh.topology, mesh.parts, options.levels);
+  fine.groups = descendants(mesh.topology, mesh.groups, scheme.split, options.levels);
+  fine.parts = descendants(mesh.topology, mesh.parts, scheme.split, options.levels);
   if (options.boundary != BoundaryRule::none || scheme.reach == 0) return fine;
   const std::vector<bool> dropped = unsupported_faces(adjacency, mesh.tags);
-  return without_faces(fine, descendants(mesh.topology, dropped, options.levels));
+  return without_faces(fine, descendants(mesh.topology, dropped, scheme.split, options.levels));
 }
 
 }  // namespace limes

@@ -45,20 +45,19 @@ RefinementStep::RefinementStep(const Adjacency& parent, const Features& features
 }
 
 int RefinementStep::num_child_vertices() const {
-  const Topology& t = parent_->topology();
-  return t.num_vertices() + parent_->num_edges() + t.num_faces();
+  return static_cast<int>(num_split_vertices(*parent_, scheme_->split));
 }
 
 int RefinementStep::num_child_faces() const {
-  return parent_->topology().num_corners();
+  return static_cast<int>(num_split_faces(parent_->topology(), scheme_->split));
 }
 
 Topology RefinementStep::child_topology() const {
-  return quadrisect(*parent_);
+  return split_topology(*parent_, scheme_->split);
 }
 
 Features RefinementStep::child_features() const {
-  return quadrisect_features(*parent_, *features_);
+  return split_features(*parent_, *features_, scheme_->split);
 }
 
 void RefinementStep::face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const {
@@ -101,7 +100,7 @@ void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value
       }
     });
   };
-  run(topology.num_faces(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
+  run(num_face_points(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
     face_stencil(w, FaceId(i), s);
     return ids.of_face(FaceId(i));
   });
@@ -142,7 +141,7 @@ std::vector<VertexId> RefinementStep::update(std::span<const Vec3> coarse,
 
   // No rule reaches farther than the faces around a vertex.
   const SurroundedElements around = surrounded_by(*parent_, changed);
-  for (const FaceId f : around.faces) {
+  for (const FaceId f : num_face_points() > 0 ? around.faces : std::vector<FaceId>()) {
     face_stencil(own_walk, f, stencil);
     renew(ids.of_face(f));
   }
@@ -172,7 +171,7 @@ SparseMatrix RefinementStep::matrix() const {
     edge_stencil(own_walk, EdgeId(e), stencil);
     append_stencil_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
   }
-  for (int f = 0; f < topology.num_faces(); ++f) {
+  for (int f = 0; f < num_face_points(); ++f) {
     face_stencil(own_walk, FaceId(f), stencil);
     append_stencil_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
   }

@@ -42,6 +42,9 @@ class RefinementStep {
   void vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const;
 
  private:
+  [[nodiscard]] int num_face_points() const {
+    return scheme_->split == Split::quads ? parent_->topology().num_faces() : 0;
+  }
   template <class Value>
   void apply_values(std::span<const Value> coarse, std::span<Value> fine) const;
 

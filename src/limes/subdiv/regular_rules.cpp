@@ -30,6 +30,7 @@ EdgeNeighbourhood edge_on_line(float sharpness, bool boundary) {
           .faces = {FaceId(0), boundary ? FaceId() : FaceId(3)},
           .face_sizes = {4, boundary ? 0 : 4},
           .num_faces = boundary ? 1 : 2,
+          .opposite = {},
           .sharpness = sharpness,
           .child_sharp = is_sharp(decayed(sharpness))};
 }
@@ -51,7 +52,7 @@ bool has_shape(const Stencil& stencil, std::span<const Shape> shape) {
 }  // namespace
 
 std::optional<RegularMasks> regular_masks(const Scheme& scheme) {
-  if (scheme.split != Split::quadrisect) return {};
+  if (scheme.split != Split::quads) return {};
   Stencil face;
   scheme.face_rule({FaceId(0), neighbours}, face);
   const LineRules smooth = line_rules(scheme, 0.0F, false);

@@ -11,13 +11,17 @@ namespace limes {
 enum class FaceKind { polygons, quads, triangles };
 
 /// How topology splits, see split.h.
-enum class Split { quadrisect };
+enum class Split {
+  quads,     ///< every face into one quad per corner
+  triangles  ///< every triangle into four
+};
 
-/// What a regular quad's limit is.
+/// What a regular face's limit is.
 enum class LimitPatch {
-  none,      ///< not polynomial
-  bilinear,  ///< of the face's own corners
-  bicubic    ///< uniform cubic B-spline of the 16 control points around the face
+  none,       ///< not polynomial
+  bilinear,   ///< of the face's own corners
+  bicubic,    ///< uniform cubic B-spline of the 16 control points around the face
+  box_spline  ///< quartic box spline of the 12 control points around a triangle; not evaluated yet
 };
 
 /// A subdivision scheme: how topology splits, and for each new vertex the weights of the old ones.
@@ -33,9 +37,14 @@ struct Scheme {
   LimitPatch patch;
   int reach;  ///< rings of faces around a face that its limit depends on
 
-  void (*face_rule)(const FaceNeighbourhood&, Stencil&);
+  void (*face_rule)(const FaceNeighbourhood&, Stencil&);  ///< null: faces have no new vertex
   void (*edge_rule)(const EdgeNeighbourhood&, const Features&, Stencil&);
   void (*vertex_rule)(const VertexNeighbourhood&, Stencil&);
 };
+
+/// Whether LimitBasis evaluates the limits of a scheme.
+[[nodiscard]] inline bool has_exact_limit(const Scheme& scheme) {
+  return scheme.patch == LimitPatch::bilinear || scheme.patch == LimitPatch::bicubic;
+}
 
 }  // namespace limes

@@ -18,6 +18,9 @@ void catmull_clark_face(const FaceNeighbourhood& n, Stencil& out);
 void catmull_clark_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
 void catmull_clark_vertex(const VertexNeighbourhood& n, Stencil& out);
 
+void loop_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
+void loop_vertex(const VertexNeighbourhood& n, Stencil& out);
+
 void linear_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
 void linear_vertex(const VertexNeighbourhood& n, Stencil& out);
 

@@ -1,6 +1,7 @@
 #include "limes/subdiv/split.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -10,15 +11,41 @@
 
 namespace limes {
 
+namespace {
+
+void require_numbers(std::int64_t num_vertices, std::int64_t num_faces, int face_size) {
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  if (std::max(num_vertices, face_size * num_faces) > most)
+    throw InputError("refinement would have {} faces; at most {} can be numbered", num_faces,
+                     most / face_size);
+}
+
+Topology split_triangles(const Adjacency& parent) {
+  const Topology& topology = parent.topology();
+  const std::int64_t num_vertices = num_split_vertices(parent, Split::triangles);
+  require_numbers(num_vertices, num_split_faces(topology, Split::triangles), 3);
+  std::vector<VertexId> corners(std::size_t{4} * static_cast<std::size_t>(topology.num_corners()));
+  const QuadrisectionIds ids = quadrisection_ids(parent);
+  for_each_index(topology.num_faces(), [&](std::int64_t f) {
+    const auto v = topology.face(FaceId(f));
+    std::array<VertexId, 3> e;
+    for (int i = 0; i < 3; ++i)
+      e[static_cast<std::size_t>(i)] = ids.of_edge(parent.edge(topology.halfedge(FaceId(f), i)));
+    const std::array<VertexId, 12> children{v[0], e[0], e[2], v[1], e[1], e[0],
+                                            v[2], e[2], e[1], e[0], e[1], e[2]};
+    std::copy(children.begin(), children.end(), corners.begin() + 12 * f);
+  });
+  return {static_cast<int>(num_vertices), 3, std::move(corners)};
+}
+
+}  // namespace
+
 Topology quadrisect(const Adjacency& parent) {
   const Topology& topology = parent.topology();
   const QuadrisectionIds ids = quadrisection_ids(parent);
-  const std::int64_t num_vertices =
-      std::int64_t{ids.num_vertices} + ids.num_edges + topology.num_faces();
+  const std::int64_t num_vertices = num_split_vertices(parent, Split::quads);
+  require_numbers(num_vertices, topology.num_corners(), 4);
   const std::int64_t num_corners = std::int64_t{4} * topology.num_corners();
-  if (std::max(num_vertices, num_corners) > std::numeric_limits<std::int32_t>::max())
-    throw InputError("refinement would have {} faces; at most {} can be numbered",
-                     topology.num_corners(), std::numeric_limits<std::int32_t>::max() / 4);
 
   std::vector<VertexId> corners(static_cast<std::size_t>(num_corners));
   for_each_index(topology.num_faces(), [&](std::int64_t i) {
@@ -40,14 +67,42 @@ Topology quadrisect(const Adjacency& parent) {
   return {static_cast<int>(num_vertices), 4, std::move(corners)};
 }
 
+Topology split_topology(const Adjacency& parent, Split split) {
+  return split == Split::quads ? quadrisect(parent) : split_triangles(parent);
+}
+
+std::int64_t num_split_vertices(const Adjacency& parent, Split split) {
+  const std::int64_t old_and_edges =
+      std::int64_t{parent.topology().num_vertices()} + parent.num_edges();
+  return split == Split::quads ? old_and_edges + parent.topology().num_faces() : old_and_edges;
+}
+
+std::int64_t num_split_faces(const Topology& parent, Split split) {
+  return split == Split::quads ? parent.num_corners() : std::int64_t{4} * parent.num_faces();
+}
+
+FaceRange descendants(const Topology& control, FaceId f, Split split, int levels) {
+  if (levels == 0) return {f.value, std::int64_t{f.value} + 1};
+  if (split == Split::triangles) {
+    const int shift = 2 * levels;
+    return {std::int64_t{f.value} << shift, (std::int64_t{f.value} + 1) << shift};
+  }
+  const std::int64_t first = control.halfedge(f, 0).value;
+  const int shift = 2 * (levels - 1);
+  return {first << shift, (first + control.face_size(f)) << shift};
+}
+
 namespace {
 
 /// The child halfedges that run along the half of h at its start, and at its end.
-HalfedgeId half_at_start(HalfedgeId h) {
-  return HalfedgeId(4 * std::int64_t{h.value});
+HalfedgeId half_at_start(const Adjacency& parent, HalfedgeId h, Split split) {
+  if (split == Split::quads) return HalfedgeId(4 * std::int64_t{h.value});
+  return HalfedgeId(12 * std::int64_t{parent.face(h).value} + 3 * parent.corner_index(h));
 }
-HalfedgeId half_at_end(const Adjacency& parent, HalfedgeId h) {
-  return HalfedgeId(4 * std::int64_t{parent.next(h).value} + 3);
+HalfedgeId half_at_end(const Adjacency& parent, HalfedgeId h, Split split) {
+  const HalfedgeId next = parent.next(h);
+  if (split == Split::quads) return HalfedgeId(4 * std::int64_t{next.value} + 3);
+  return HalfedgeId(12 * std::int64_t{parent.face(h).value} + 3 * parent.corner_index(next) + 2);
 }
 
 /// The lower of a child halfedge and its twin; the twin runs along the same half of the parent's
@@ -58,7 +113,7 @@ HalfedgeId first_of_edge(HalfedgeId a, HalfedgeId b) {
 
 }  // namespace
 
-Features quadrisect_features(const Adjacency& parent, const Features& features) {
+Features split_features(const Adjacency& parent, const Features& features, Split split) {
   Features child;
   child.crease_method = features.crease_method;
   child.smooth_triangles = features.smooth_triangles;
@@ -75,9 +130,13 @@ Features quadrisect_features(const Adjacency& parent, const Features& features) 
     const float at_start = walk.child_sharpness_at_start(h);
     const float at_end = walk.child_sharpness_at_start(twin);
     if (is_sharp(at_start))
-      child.edges.push_back({first_of_edge(half_at_start(h), half_at_end(parent, twin)), at_start});
+      child.edges.push_back(
+          {first_of_edge(half_at_start(parent, h, split), half_at_end(parent, twin, split)),
+           at_start});
     if (is_sharp(at_end))
-      child.edges.push_back({first_of_edge(half_at_end(parent, h), half_at_start(twin)), at_end});
+      child.edges.push_back(
+          {first_of_edge(half_at_end(parent, h, split), half_at_start(parent, twin, split)),
+           at_end});
   }
   std::sort(child.edges.begin(), child.edges.end(),
             [](const SharpEdge& x, const SharpEdge& y) { return x.halfedge < y.halfedge; });

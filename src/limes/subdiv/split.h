@@ -2,6 +2,7 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/features.h"
+#include "limes/subdiv/scheme.h"
 
 namespace limes {
 
@@ -35,7 +36,24 @@ struct QuadrisectionIds {
 /// @throws InputError if the child would have more than 2^31 - 1 corners or vertices
 [[nodiscard]] Topology quadrisect(const Adjacency& parent);
 
+// Split of triangles: every triangle becomes four. Vertices are numbered as above, without those of
+// faces. The child of face f at corner i is (v_i, e_i, e_{i-1}) and has the id 4 f + i; the child in
+// the middle is (e_0, e_1, e_2), 4 f + 3.
+
+/// What `split` makes of a mesh.
+/// @throws InputError like quadrisect()
+[[nodiscard]] Topology split_topology(const Adjacency& parent, Split split);
+[[nodiscard]] std::int64_t num_split_vertices(const Adjacency& parent, Split split);
+[[nodiscard]] std::int64_t num_split_faces(const Topology& parent, Split split);
+
+/// The faces that a face becomes after some steps: [begin, end).
+struct FaceRange {
+  std::int64_t begin, end;
+};
+[[nodiscard]] FaceRange descendants(const Topology& control, FaceId f, Split split, int levels);
+
 /// The sharpness that is left one level down.
-[[nodiscard]] Features quadrisect_features(const Adjacency& parent, const Features& features);
+[[nodiscard]] Features split_features(const Adjacency& parent, const Features& features,
+                                      Split split);
 
 }  // namespace limes

@@ -1,0 +1,47 @@
+#include <cmath>
+#include <numbers>
+
+#include "limes/subdiv/crease.h"
+#include "limes/subdiv/schemes.h"
+#include "limes/subdiv/sharp_vertex.h"
+
+namespace limes {
+
+// Loop subdivision of triangles [loop_1987] with Loop's own weights at extraordinary vertices, and
+// the creases, corners and boundaries of [derose_1998] as OpenSubdiv defines them.
+
+namespace {
+
+/// Weight of each neighbour of a vertex of valence n, [loop_1987] section 3:
+/// (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n, which is 1/16 for n = 6.
+double neighbour_weight(std::size_t valence) {
+  if (valence == 6) return 0.0625;  // without the rounding of the cosine
+  const double n = static_cast<double>(valence);
+  const double b = 0.375 + 0.25 * std::cos(2.0 * std::numbers::pi / n);
+  return (0.625 - b * b) / n;
+}
+
+void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
+  const std::size_t n = v.faces.size();
+  const double w = neighbour_weight(n);
+  out.add(scale * (1.0 - static_cast<double>(n) * w), v.vertex);
+  out.add(scale * w, v.neighbours);
+}
+
+}  // namespace
+
+void loop_edge(const EdgeNeighbourhood& n, const Features&, Stencil& out) {
+  if (is_sharp(n.sharpness) && n.child_sharp) {
+    out.add(0.5, n.ends);
+    return;
+  }
+  const double sharp = static_cast<double>(n.sharpness);
+  out.add(sharp * 0.5 + (1.0 - sharp) * 0.375, n.ends);
+  out.add((1.0 - sharp) * 0.125, n.opposite);
+}
+
+void loop_vertex(const VertexNeighbourhood& v, Stencil& out) {
+  add_vertex_rule(v, smooth_vertex, out);
+}
+
+}  // namespace limes
