@@ -97,31 +97,121 @@ void perturb(Mesh& mesh, double amount, unsigned seed) {
       x[k] += shift(random);
 }
 
+namespace {
+
+/// The piece of a model around the sub-face that holds a point, and the point's parameters there.
+struct Piece {
+  Model model;
+  FaceId face;
+  Vec2 uv;
+  Mat2 J = Mat2::Identity();   ///< d(uv there) / d(uv of the face at the start)
+  Vec3 origin = Vec3::Zero();  ///< to be added to the points
+};
+
+void step_towards_point(Piece& p, const Scheme& scheme, int corner) {
+  const int rings = p.model.features.crease_method == CreaseMethod::chaikin ? 3 : 2;
+  p.model = cut_out(p.model, rings, p.face);
+  const Topology& topology = p.model.topology;
+  const Vec3 centre = p.model.points[static_cast<std::size_t>(topology.face(p.face)[0].value)];
+  for (Vec3& x : p.model.points)
+    x -= centre;
+  p.origin += centre;
+  int child = corner;
+  if (topology.face_size(p.face) == 4) {
+    const double u = p.uv.x();
+    const double v = p.uv.y();
+    child = u > 0.5 ? (v > 0.5 ? 2 : 1) : (v > 0.5 ? 3 : 0);
+    const std::array<Vec2, 4> turned{Vec2(u, v), Vec2(v, 1 - u), Vec2(1 - u, 1 - v),
+                                     Vec2(1 - v, u)};
+    Mat2 turn;
+    turn << 0, 1, -1, 0;
+    p.uv = 2 * turned[static_cast<std::size_t>(child)];
+    for (int i = 0; i < child; ++i)
+      p.J = turn * p.J;
+    p.J *= 2;
+  }
+  const FaceId next(topology.halfedge(p.face, child).value);
+  p.model = refined(p.model, scheme);
+  p.face = next;
+}
+
+Piece piece_around_point(const Model& model, const Scheme& scheme, FaceId face, int corner,
+                         const Vec2& uv, int levels) {
+  Piece piece{model, face, uv};
+  for (int level = 0; level < levels; ++level)
+    step_towards_point(piece, scheme, corner);
+  return piece;
+}
+
+/// The 4 x 4 points around a face, point (i, j) at 4 j + i; nothing if the face is not regular.
+std::optional<std::array<Vec3, 16>> points_around(const Piece& p) {
+  const Adjacency a(p.model.topology, Adjacency::Check::edges);
+  const Sharpness sharpness(a, p.model.features);
+  std::array<Vec3, 16> grid;
+  for (int c = 0; c < 4; ++c) {
+    const HalfedgeId h = p.model.topology.halfedge(p.face, c);
+    const VertexId v = a.from(h);
+    if (a.is_boundary(v) || a.num_ring_faces(v) != 4 || sharpness.vertex(v) > 0) return {};
+    for (HalfedgeId g = a.ring_start(v);;) {
+      if (sharpness.edge(a.edge(g)) > 0) return {};
+      g = a.ring_next(g);
+      if (g == a.ring_start(v)) break;
+    }
+    constexpr std::array<std::array<int, 2>, 4> corners{{{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
+    constexpr std::array<std::array<int, 2>, 4> along{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    const auto [x, y] = corners[static_cast<std::size_t>(c)];
+    const auto [dx, dy] = along[static_cast<std::size_t>(c)];
+    const auto put = [&](int i, int j, VertexId w) {
+      grid[static_cast<std::size_t>(4 * j + i)] = p.model.points[static_cast<std::size_t>(w.value)];
+    };
+    const HalfedgeId beside = a.next(a.twin(h));  // outwards is (dy, -dx)
+    put(x, y, v);
+    put(x + dy, y - dx, a.to(beside));
+    put(x + dx + dy, y + dy - dx, a.from(a.prev(a.twin(h))));
+    put(x + dy - dx, y - dx - dy, a.from(a.prev(a.twin(beside))));
+  }
+  return grid;
+}
+
+std::array<double, 4> spline(double t) {
+  const double r = 1 - t;
+  return {r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * r * r * r - 6 * r * r + 4) / 6,
+          t * t * t / 6};
+}
+std::array<double, 4> spline_derivative(double t) {
+  const double r = 1 - t;
+  return {-r * r / 2, (3 * t * t - 4 * t) / 2, -(3 * r * r - 4 * r) / 2, t * t / 2};
+}
+
+}  // namespace
+
 Vec3 limit_by_refinement(const Model& model, const Scheme& scheme, FaceId face, int corner,
                          const Vec2& uv, int levels) {
-  const int rings = model.features.crease_method == CreaseMethod::chaikin ? 3 : 2;
-  Model piece = model;
-  double u = uv.x();
-  double v = uv.y();
-  for (int level = 0; level < levels; ++level) {
-    piece = cut_out(piece, rings, face);
-    int child = corner;
-    if (piece.topology.face_size(face) == 4) {
-      child = u > 0.5 ? (v > 0.5 ? 2 : 1) : (v > 0.5 ? 3 : 0);
-      const std::array<Vec2, 4> turned{Vec2(u, v), Vec2(v, 1 - u), Vec2(1 - u, 1 - v),
-                                       Vec2(1 - v, u)};
-      u = 2 * turned[static_cast<std::size_t>(child)].x();
-      v = 2 * turned[static_cast<std::size_t>(child)].y();
-    }
-    const FaceId next(piece.topology.halfedge(face, child).value);
-    piece = refined(piece, scheme);
-    face = next;
-  }
+  const Piece p = piece_around_point(model, scheme, face, corner, uv, levels);
+  const double u = p.uv.x();
+  const double v = p.uv.y();
   const auto at = [&](int i) {
-    return piece.points[static_cast<std::size_t>(
-        piece.topology.face(face)[static_cast<std::size_t>(i)].value)];
+    return p.model.points[static_cast<std::size_t>(
+        p.model.topology.face(p.face)[static_cast<std::size_t>(i)].value)];
   };
-  return (1 - u) * ((1 - v) * at(0) + v * at(3)) + u * ((1 - v) * at(1) + v * at(2));
+  return p.origin + (1 - u) * ((1 - v) * at(0) + v * at(3)) + u * ((1 - v) * at(1) + v * at(2));
+}
+
+std::optional<std::array<Vec3, 2>> tangents_by_refinement(const Model& model, const Scheme& scheme,
+                                                          FaceId face, int corner, const Vec2& uv,
+                                                          int levels) {
+  const Piece p = piece_around_point(model, scheme, face, corner, uv, levels);
+  const auto grid = points_around(p);
+  if (!grid) return {};
+  const auto sum = [&](const std::array<double, 4>& s, const std::array<double, 4>& t) {
+    Vec3 x = Vec3::Zero();
+    for (std::size_t k = 0; k < 16; ++k)
+      x += s[k % 4] * t[k / 4] * (*grid)[k];
+    return x;
+  };
+  const Vec3 xs = sum(spline_derivative(p.uv.x()), spline(p.uv.y()));
+  const Vec3 xt = sum(spline(p.uv.x()), spline_derivative(p.uv.y()));
+  return {{p.J(0, 0) * xs + p.J(1, 0) * xt, p.J(0, 1) * xs + p.J(1, 1) * xt}};
 }
 
 }  // namespace limes::test

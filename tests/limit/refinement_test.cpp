@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "limes/limit/bulk_evaluator.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/subdiv/schemes.h"
 #include "limit/local_refinement.h"
@@ -47,6 +48,39 @@ TEST_P(LimitOf, EqualsDeepRefinement) {
           << "face " << f << " corner " << corner << " at " << uv.transpose();
     }
   }
+}
+
+/// One point at a time and in bulk.
+TEST_P(LimitOf, HasTheTangentsOfDeepRefinement) {
+  const Scheme& scheme = find_scheme("catmull-clark");
+  const Model model = make_model(GetParam().mesh, GetParam().boundary);
+  const LimitBasis basis(model.topology, model.features, scheme);
+  const LimitSurface surface(basis, model.points);
+  const BulkEvaluator bulk(basis, model.points);
+  std::mt19937 random(2001);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int compared = 0;
+  for (int f = 0; f < std::min(6, model.topology.num_faces()); ++f) {
+    for (const double scale : {1.0, 1.0, 0.1, 1e-3, 1e-5}) {
+      const FaceId face(f);
+      const Vec2 uv(scale * unit(random), scale * unit(random));
+      const int corner =
+          static_cast<int>(random() % static_cast<unsigned>(basis.num_quadrants(face)));
+      const auto expected = tangents_by_refinement(model, scheme, face, corner, uv, 20);
+      if (!expected) continue;  // within 2^-20 of a boundary or crease
+      ++compared;
+      const auto first = surface.evaluate(face, corner, uv).first.value();
+      SurfaceJet jet;
+      bulk.evaluate({face, corner, uv}, 1, jet);
+      // Of the model's size, which is about one, or of the derivative where that is larger.
+      const double bound = 1e-12 * std::max({1.0, (*expected)[0].norm(), (*expected)[1].norm()});
+      EXPECT_LE((first.xu - (*expected)[0]).norm(), bound);
+      EXPECT_LE((first.xv - (*expected)[1]).norm(), bound);
+      EXPECT_LE((jet.xu - (*expected)[0]).norm(), bound);
+      EXPECT_LE((jet.xv - (*expected)[1]).norm(), bound);
+    }
+  }
+  EXPECT_GE(compared, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Zoo, LimitOf, testing::ValuesIn(limit_shapes()),
