@@ -198,6 +198,44 @@ TEST(UniformRefinement, RefusesMoreVerticesThanCanBeNumbered) {
       InputError);
 }
 
+/// Every loop over a grid, with vectors of two doubles and with the widest of this machine.
+TEST(QuadKernel, GivesTheSameBitsWithEveryInstructionSet) {
+  const RegularMasks masks = regular_masks(find_scheme("catmull-clark")).value();
+  const QuadNumbering numbering(4);
+  const QuadRuns runs(numbering, 0b1010);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto results = [&](const QuadKernel& kernel) {
+    random.seed(5);
+    QuadGrid grid;
+    QuadGrid fine;
+    grid.resize(8);
+    for (int i = 0; i < grid.stride() * grid.stride(); ++i)
+      grid.vertex(i) = Point4(Vec3(unit(random), unit(random), unit(random)));
+    grid.make_face_points(kernel, masks);
+    grid.refine(kernel, masks, fine);
+    std::vector<Vec3> out(static_cast<std::size_t>(fine.stride() * fine.stride()));
+    for (std::size_t i = 0; i < out.size(); ++i)
+      fine.vertex(static_cast<int>(i)).store(out[i]);
+    const auto write = [&](std::size_t count, const auto& to) {
+      out.resize(out.size() + count);
+      to(static_cast<int>(count), out.data() + out.size() - count);
+    };
+    write(runs.old_vertices.size(), [&](int count, Vec3* to) {
+      kernel.write_vertices(masks, 8, grid.vertices(), grid.faces(), runs.old_vertices.data(),
+                            count, to);
+    });
+    write(runs.new_edges.size(), [&](int count, Vec3* to) {
+      kernel.write_edges(masks, grid.vertices(), grid.faces(), runs.new_edges.data(), count, to);
+    });
+    write(runs.new_faces.size(), [&](int count, Vec3* to) {
+      kernel.write_faces(grid.faces(), runs.new_faces.data(), count, to);
+    });
+    return out;
+  };
+  EXPECT_TRUE(same_bits(results(QuadKernel::two_doubles()), results(QuadKernel::best())));
+}
+
 #ifdef LIMES_WITH_TBB
 TEST(UniformRefinement, DoesNotDependOnTheNumberOfThreads) {
   std::mt19937 random(3);

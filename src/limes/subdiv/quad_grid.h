@@ -2,9 +2,7 @@
 
 #include <array>
 
-#include "limes/subdiv/point4.h"
-#include "limes/subdiv/quad_numbering.h"
-#include "limes/subdiv/regular_rules.h"
+#include "limes/subdiv/quad_kernel.h"
 
 namespace limes {
 
@@ -38,25 +36,13 @@ class QuadGrid {
   [[nodiscard]] const Point4* faces() const { return faces_.data(); }
 
   /// New face points of all cells.
-  void make_face_points(const RegularMasks& m);
-
-  /// All points of the grid one step finer, margin included. Precondition: face points are made.
-  void refine(const RegularMasks& m, QuadGrid& fine) const;
-
-  /// New point of the edge between the vertices a and b, next to the face points f and g.
-  [[nodiscard]] Point4 edge_point(const RegularMasks& m, int a, int b, int f, int g) const {
-    const Point4* v = vertices_.data();
-    const Point4* c = faces_.data();
-    return m.edge_ends * (v[a] + v[b]) + m.edge_faces * (c[f] + c[g]);
+  void make_face_points(const QuadKernel& kernel, const RegularMasks& m) {
+    kernel.make_face_points(m, n_, vertices_.data(), faces_.data());
   }
-  /// New point of the vertex at index v, whose lower left face point is f.
-  [[nodiscard]] Point4 vertex_point(const RegularMasks& m, int v, int f) const {
-    const Point4* p = vertices_.data() + v;
-    const Point4* c = faces_.data() + f;
-    const int s = stride();
-    const int t = face_stride();
-    return m.vertex_self * p[0] + m.vertex_neighbours * ((p[1] + p[-1]) + (p[s] + p[-s])) +
-           m.vertex_faces * ((c[0] + c[t + 1]) + (c[1] + c[t]));
+  /// All points of the grid one step finer, margin included. Precondition: face points are made.
+  void refine(const QuadKernel& kernel, const RegularMasks& m, QuadGrid& fine) const {
+    fine.resize(2 * n_);
+    kernel.refine(m, n_, vertices_.data(), faces_.data(), fine.vertices_.data());
   }
 
  private:

@@ -164,15 +164,6 @@ int StructuredRefinement::first_of_face_run(FaceId f, int birth) const {
   return first_face_vertex_[static_cast<std::size_t>(birth)] + f.value * n * n;
 }
 
-int StructuredRefinement::side_vertex(FaceId f, int birth, int side, int step) const {
-  const Quad& q = quad(f);
-  if (((q.owned >> side) & 1U) != 0)
-    return first_of_edge_run(f, birth) + runs(q).side_rank(birth, side, step);
-  const HalfedgeId twin = control_->twin(control_->topology().halfedge(f, side));
-  return side_vertex(control_->face(twin), birth, control_->corner_index(twin),
-                     (1 << (birth - 1)) - 1 - step);
-}
-
 void StructuredRefinement::number_vertices(FaceId f, std::span<int> ids) const {
   const Quad& q = quad(f);
   const int side = numbering_.side();
@@ -194,9 +185,15 @@ void StructuredRefinement::number_vertices(FaceId f, std::span<int> ids) const {
     };
     id(0) = control_->topology().face(f)[static_cast<std::size_t>(s)].value;
     if (((q.owned >> s) & 1U) != 0) continue;
-    for (int along = 1; along < side; ++along) {
-      const SideStep step = side_step(along, numbering_.depth());
-      id(along) = side_vertex(f, step.birth, s, step.step);
+    const HalfedgeId twin = control_->twin(control_->topology().halfedge(f, s));
+    const FaceId owner = control_->face(twin);
+    const QuadRuns& others = runs(quad(owner));
+    for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+      const int first = first_of_edge_run(owner, birth);
+      const int last_step = (1 << (birth - 1)) - 1;
+      for (int step = 0; step <= last_step; ++step)
+        id((2 * step + 1) << (numbering_.depth() - birth)) =
+            first + others.side_rank(birth, control_->corner_index(twin), last_step - step);
     }
   }
 }

@@ -83,7 +83,6 @@ class StructuredRefinement {
   [[nodiscard]] const QuadRuns& runs(const Quad& q) const { return *runs_[q.owned]; }
   [[nodiscard]] int first_of_edge_run(FaceId f, int birth) const;
   [[nodiscard]] int first_of_face_run(FaceId f, int birth) const;
-  [[nodiscard]] int side_vertex(FaceId f, int birth, int side, int step) const;
 
   void refine_ring(int ring, std::span<const Vec3> control, std::span<Vec3> fine);
   void refine_quad(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const;
@@ -98,6 +97,7 @@ class StructuredRefinement {
   Features features_;
   const Scheme* scheme_;
   RegularMasks masks_;
+  const QuadKernel* kernel_ = &QuadKernel::best();
   QuadNumbering numbering_;
   CornerRings rings_;
   std::vector<Quad> quads_;

@@ -76,13 +76,13 @@ void StructuredRefinement::refine_quad(FaceId f, std::span<const Vec3> control,
     grid->vertex(k) =
         Point4(control[static_cast<std::size_t>(q.control[static_cast<std::size_t>(k)].value)]);
   for (int step = 1; step < numbering_.depth(); ++step) {
-    grid->make_face_points(masks_);
-    grid->refine(masks_, *finer);
+    grid->make_face_points(*kernel_, masks_);
+    grid->refine(*kernel_, masks_, *finer);
     apply_lines(q, step, *grid, *finer);
     take_corners(q, step, *finer);
     std::swap(grid, finer);
   }
-  grid->make_face_points(masks_);
+  grid->make_face_points(*kernel_, masks_);
   write_runs(f, *grid, fine);
   write_corners(q, *grid, fine);
   write_lines(f, *grid, fine);
@@ -126,9 +126,8 @@ void StructuredRefinement::write_runs(FaceId f, const QuadGrid& grid, std::span<
   const QuadRuns& r = runs(q);
   const QuadRuns::OldVertex* old = r.old_vertices.data();
   const auto move = [&](int first, int count) {
-    Vec3* out = fine.data() + first;
-    for (int k = 0; k < count; ++k)
-      grid.vertex_point(masks_, old[k].vertex, old[k].face).store(out[k]);
+    kernel_->write_vertices(masks_, grid.cells(), grid.vertices(), grid.faces(), old, count,
+                            fine.data() + first);
     old += count;
   };
   for (int birth = 1; birth < numbering_.depth(); ++birth) {
@@ -136,12 +135,11 @@ void StructuredRefinement::write_runs(FaceId f, const QuadGrid& grid, std::span<
     move(first_of_edge_run(f, birth), 2 * n * (n - 1) + n * std::popcount(q.owned));
     move(first_of_face_run(f, birth), n * n);
   }
-  Vec3* out = fine.data() + first_of_edge_run(f, numbering_.depth());
-  for (const QuadRuns::NewEdge& e : r.new_edges)
-    grid.edge_point(masks_, e.a, e.b, e.f, e.g).store(*out++);
-  out = fine.data() + first_of_face_run(f, numbering_.depth());
-  for (const std::uint16_t face : r.new_faces)
-    grid.faces()[face].store(*out++);
+  kernel_->write_edges(masks_, grid.vertices(), grid.faces(), r.new_edges.data(),
+                       static_cast<int>(r.new_edges.size()),
+                       fine.data() + first_of_edge_run(f, numbering_.depth()));
+  kernel_->write_faces(grid.faces(), r.new_faces.data(), static_cast<int>(r.new_faces.size()),
+                       fine.data() + first_of_face_run(f, numbering_.depth()));
 }
 
 void StructuredRefinement::write_corners(const Quad& q, const QuadGrid& grid,
@@ -151,8 +149,10 @@ void StructuredRefinement::write_corners(const Quad& q, const QuadGrid& grid,
     const GridPoint p = QuadSide(c, grid.cells()).node(0);
     const GridPoint first = QuadSide(c, 1).node(0);
     const VertexId v = q.control[static_cast<std::size_t>(4 * (first.j + 1) + first.i + 1)];
-    grid.vertex_point(masks_, grid.vertex_index(p.i, p.j), grid.face_index(p.i - 1, p.j - 1))
-        .store(fine[static_cast<std::size_t>(v.value)]);
+    const QuadRuns::OldVertex corner{static_cast<std::uint16_t>(grid.vertex_index(p.i, p.j)),
+                                     static_cast<std::uint16_t>(grid.face_index(p.i - 1, p.j - 1))};
+    kernel_->write_vertices(masks_, grid.cells(), grid.vertices(), grid.faces(), &corner, 1,
+                            &fine[static_cast<std::size_t>(v.value)]);
   }
 }
 
@@ -162,11 +162,12 @@ void StructuredRefinement::write_lines(FaceId f, const QuadGrid& grid, std::span
   for (int s = 0; s < 4; ++s) {
     const auto& rules = lines_[q.line[static_cast<std::size_t>(s)]].rules;
     if (((q.owned >> s) & 1U) == 0 || static_cast<std::size_t>(depth) > rules.size()) continue;
-    along_line(rules[static_cast<std::size_t>(depth - 1)], s, grid,
-               [&](int t, const Point4& point) {
-                 const SideStep at = side_step(t, depth);
-                 point.store(fine[static_cast<std::size_t>(side_vertex(f, at.birth, s, at.step))]);
-               });
+    along_line(
+        rules[static_cast<std::size_t>(depth - 1)], s, grid, [&](int t, const Point4& point) {
+          const SideStep at = side_step(t, depth);
+          const int v = first_of_edge_run(f, at.birth) + runs(q).side_rank(at.birth, s, at.step);
+          point.store(fine[static_cast<std::size_t>(v)]);
+        });
   }
 }
 
