@@ -7,16 +7,32 @@
 namespace limes {
 namespace {
 
-/// Edge between a and b, or an invalid halfedge.
-HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
-  const HalfedgeId start = adjacency.ring_start(a);
-  for (HalfedgeId h = start; h.valid();) {
-    if (adjacency.to(h) == b) return adjacency.halfedge(adjacency.edge(h));
-    const HalfedgeId in = adjacency.prev(h);
-    if (adjacency.from(in) == b) return adjacency.halfedge(adjacency.edge(in));
-    h = adjacency.ring_next(h);
-    if (h == start) break;
+/// Looks for the other end of an edge around one of its ends, face by face.
+struct RingSearch {
+  const Adjacency& adjacency;
+  VertexId other;
+  HalfedgeId start, at = start;
+
+  /// The edge if the next face has it, as an invalid halfedge if not. Precondition: at is valid.
+  HalfedgeId step() {
+    if (adjacency.to(at) == other) return at;
+    const HalfedgeId in = adjacency.prev(at);
+    if (adjacency.from(in) == other) return in;
+    at = adjacency.ring_next(at);
+    if (at == start) at = {};
+    return {};
   }
+};
+
+/// Edge between a and b, or an invalid halfedge. Both ends are searched in turn: what it costs is the
+/// smaller of the two valences, and the creases of a mesh with one large fan take linear time.
+HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
+  RingSearch around_a{adjacency, b, adjacency.ring_start(a)};
+  RingSearch around_b{adjacency, a, adjacency.ring_start(b)};
+  while (around_a.at.valid() && around_b.at.valid())
+    for (RingSearch* search : {&around_a, &around_b})
+      if (const HalfedgeId h = search->step(); h.valid())
+        return adjacency.halfedge(adjacency.edge(h));
   return {};
 }
 
