@@ -18,6 +18,7 @@ namespace limes::app {
 namespace {
 
 constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kilobyte = 1024;  // the kernel's kB
 
 /// The only number in a file of the control group; "max" and a missing file are unknown.
 std::int64_t read_number(const char* path) {
@@ -26,22 +27,25 @@ std::int64_t read_number(const char* path) {
   return file >> value ? value : unknown;
 }
 
-/// A line "KEY  1234 kB" of a file below /proc, in bytes.
-std::int64_t read_entry(const char* path, std::string_view key) {
+/// The number of a line "KEY  1234 kB" or "KEY 1234", in bytes.
+std::int64_t read_entry(const char* path, std::string_view key, std::int64_t unit) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     std::string_view rest = line;
     if (next_token(rest) != key) continue;
-    if (const auto kilobytes = parse_integer(next_token(rest))) return *kilobytes * 1024;
+    if (const auto number = parse_integer(next_token(rest))) return *number * unit;
   }
   return unknown;
 }
 
+/// What the group uses counts the files that it has read lately; those that nobody looks at any more
+/// (inactive_file) make room as soon as memory is wanted.
 std::int64_t free_in_control_group() {
   const std::int64_t limit = read_number("/sys/fs/cgroup/memory.max");
   const std::int64_t used = read_number("/sys/fs/cgroup/memory.current");
   if (limit == unknown || used == unknown) return unknown;
-  return std::max<std::int64_t>(limit - used, 0);
+  const std::int64_t files = read_entry("/sys/fs/cgroup/memory.stat", "inactive_file", 1);
+  return std::max<std::int64_t>(limit - used + (files == unknown ? 0 : files), 0);
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ std::int64_t peak_memory() {
 }
 
 std::int64_t free_memory() {
-  return std::min(read_entry("/proc/meminfo", "MemAvailable:"), free_in_control_group());
+  return std::min(read_entry("/proc/meminfo", "MemAvailable:", kilobyte), free_in_control_group());
 }
 
 std::int64_t parse_size(std::string_view text) {
@@ -110,7 +114,7 @@ void MemoryWatch::watch(std::int64_t limit) {
   constexpr std::chrono::milliseconds period(20);
   std::unique_lock lock(mutex_);
   while (!stop_.wait_for(lock, period, [this] { return stopped_; })) {
-    const std::int64_t used = read_entry("/proc/self/status", "VmRSS:");
+    const std::int64_t used = read_entry("/proc/self/status", "VmRSS:", kilobyte);
     if (used == unknown || used <= limit) continue;
     limit_exceeded.store(true);
     request_interrupt();
