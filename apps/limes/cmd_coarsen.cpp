@@ -37,7 +37,7 @@ CoarsenResult coarsened(const Mesh& mesh, double tolerance, const std::string& f
 void CoarsenCommand::operator()() const {
   const Run current(run);
   const double relative = parse_positive("--tolerance", tolerance);
-  check_mesh_output(output);
+  check_mesh_output(output, run);
   const std::string file = mesh.file.string();
   const CoarsenResult result = coarsened(load_refinable_mesh(mesh), relative, file);
   for (const std::string& sentence : result.remarks)

@@ -123,7 +123,7 @@ void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
 void EvaluateCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
-  check_output(output);
+  check_output(output, run);
   const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
   const auto samples = read_sample_points(points, surface.mesh().topology);
   for (const SamplePoint& p : samples)

@@ -107,7 +107,7 @@ void LimitCommand::operator()() const {
   const SchemeChoice choice = choose_scheme(scheme);
   const VtkCell type = parse_cells(cells);
   const double relative = parse_positive("--tolerance", tolerance);
-  check_output(output, {".vtu"});
+  check_output(output, run, {".vtu"});
   const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
   const double diagonal = bounding_box(surface.mesh()).diagonal();
   CurvedCells curved;

@@ -34,7 +34,7 @@ void RefineCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
   const int num_levels = parse_whole_number("--levels", levels, 0);
-  check_mesh_output(output);
+  check_mesh_output(output, run);
   Mesh coarse = num_levels > 0 || limit ? load_refinable_mesh(mesh) : load_mesh(mesh);
   if (choice.boundary) coarse.tags.boundary = choice.boundary;
   require_feasible(coarse.topology, *choice.scheme, num_levels,

@@ -47,12 +47,16 @@ void save_mesh(const fs::path& file, const Mesh& mesh) {
     remark(sentence);
 }
 
-void check_output(const fs::path& file, const std::vector<std::string>& extensions) {
+void check_output(const fs::path& file, const RunOptions& run,
+                  const std::vector<std::string>& extensions) {
   const std::string extension = to_lower(file.extension().string());
   if (!extensions.empty() &&
       std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
     throw UsageError("--output: {} does not end in {}", quote(file.string()),
                      fmt::join(extensions, ", "));
+  if (run.json && is_standard_output(file))
+    throw UsageError("--output: {} is standard output, where --json prints; leave one of them out",
+                     quote(file.string()));
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!fs::is_directory(folder, ignored))
@@ -67,11 +71,11 @@ void check_output_folder(const fs::path& folder) {
     throw OutputError("{}: cannot be written: it is a file; a folder is right", folder.string());
 }
 
-void check_mesh_output(const fs::path& file) {
+void check_mesh_output(const fs::path& file, const RunOptions& run) {
   std::vector<std::string> extensions;
   for (const Format& format : all_formats)
     if (format.write) extensions.emplace_back(format.extension);
-  check_output(file, extensions);
+  check_output(file, run, extensions);
 }
 
 std::string read_text_file(const fs::path& path) {

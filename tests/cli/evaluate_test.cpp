@@ -175,6 +175,10 @@ TEST(Evaluate, StandardOutputGetsTheTableAndNothingElse) {
   const Result direct = evaluate(data_file("cube.obj"), points, "/dev/stdout");
   EXPECT_EQ(direct.exit_code, 0) << direct.err;
   EXPECT_EQ(direct.out, read_file(folder / "o.csv"));
+  // The table and --json cannot share it.
+  expect_failure(run_limes({"evaluate", data_file("cube.obj"), "--scheme", "catmull-clark", "--at",
+                            points, "-o", "/dev/stdout", "--json"}),
+                 2, "where --json prints");
   // The same through a pipe, and behind what a file holds already.
   const auto shell = [&](const std::string& redirection) {
     const std::string command = std::string(LIMES_EXECUTABLE) + " evaluate " +
