@@ -22,6 +22,25 @@ void redirect(int descriptor, const std::string& path) {
   close(file);
 }
 
+/// Whether a process has a handler for a signal, or has ended; where the system does not tell, yes.
+bool catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("SigCgt:"))
+      return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+  return true;
+}
+
+/// Sends the signal so long after the program began to listen, however late that was.
+void send(pid_t process, int signal, std::chrono::milliseconds after) {
+  constexpr std::chrono::milliseconds pause(1);
+  constexpr int most_pauses = 20'000;
+  for (int i = 0; i < most_pauses && !catches(process, signal); ++i)
+    std::this_thread::sleep_for(pause);
+  std::this_thread::sleep_for(after);
+  kill(process, signal);
+}
+
 }  // namespace
 
 Result run_limes(const std::vector<std::string>& arguments, std::chrono::milliseconds signal_after,
@@ -38,15 +57,13 @@ Result run_limes(const std::vector<std::string>& arguments, std::chrono::millise
 
   const pid_t child = fork();
   if (child == 0) {
+    if (signal_after.count() > 0) std::signal(signal, SIG_DFL);  // whatever started the tests
     redirect(STDOUT_FILENO, out);
     redirect(STDERR_FILENO, err);
     execv(program.c_str(), argv.data());
     _exit(127);
   }
-  if (signal_after.count() > 0) {
-    std::this_thread::sleep_for(signal_after);
-    kill(child, signal);
-  }
+  if (signal_after.count() > 0) send(child, signal, signal_after);
   int status = 0;
   waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);

@@ -14,7 +14,8 @@ struct Result {
   std::string out, err;
 };
 
-/// Runs the program limes. @param signal_after  sends the signal then; 0: never
+/// Runs the program limes.
+/// @param signal_after  sends the signal so long after the program began to catch it; 0: never
 Result run_limes(const std::vector<std::string>& arguments,
                  std::chrono::milliseconds signal_after = {}, int signal = SIGINT);
 
