@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "help.h"
 #include "limes/core/error.h"
 #include "limes/study/run.h"
 #include "memory.h"
@@ -23,10 +24,22 @@ struct SolveCommand {
   bool repair = false;
 
   void operator()() const;
+  [[nodiscard]] std::string repeated() const;
 };
 
 std::string shown(double value) {
   return fmt::format("{:.8g}", value);
+}
+
+/// As a shell reads it back: in quotes if a letter could mean something.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text)
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 /// The numbers that people look at first.
@@ -65,6 +78,15 @@ void require_passed(const std::filesystem::path& problem,
     throw SolverError("{}: a check of the solution failed: {}", problem.string(), failed);
 }
 
+/// The command without what only says where the results go and how the work is done.
+std::string SolveCommand::repeated() const {
+  std::string text = "limes solve " + shell_word(problem.string());
+  for (const std::string& change : overrides)
+    text += " --set " + shell_word(change);
+  if (repair) text += " --repair";
+  return text;
+}
+
 void SolveCommand::operator()() const {
   const Run current(run);
   check_output_folder(output);
@@ -79,6 +101,7 @@ void SolveCommand::operator()() const {
     remark(r);
   result.timings.emplace_back("total", current.seconds());
   result.peak_memory = peak_memory();
+  result.made_by = fmt::format("Made by limes {}: {}", version(), repeated());
   if (!output.empty()) write_results(output, result);
   if (run.json)
     print_object(result_json(result));

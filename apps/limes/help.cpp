@@ -135,13 +135,17 @@ void refuse_empty_value(CLI::Option& option) {
 
 }  // namespace
 
+std::string version() {
+  return LIMES_VERSION;
+}
+
 void set_up_program(CLI::App& program) {
   program.name("limes");
   program.description("Subdivision surfaces you can compute on.");
   program.formatter(std::make_shared<HelpLayout>());
   program.option_defaults()->group("Help");
   program.set_help_flag("-h,--help", "Show this help");
-  program.set_version_flag("--version", "limes " LIMES_VERSION, "Show the version");
+  program.set_version_flag("--version", "limes " + version(), "Show the version");
   program.require_subcommand(1);
   program.footer(
       "'limes COMMAND --help' explains a command.\n\n"

@@ -6,6 +6,9 @@
 
 namespace limes::app {
 
+/// "0.1.0"
+[[nodiscard]] std::string version();
+
 /// Name, version, help layout of the program; call before commands are added.
 void set_up_program(CLI::App& program);
 /// What all commands have alike; call after commands are added.

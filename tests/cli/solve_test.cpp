@@ -63,9 +63,41 @@ TEST_F(Solve, WritesResultsThatStandAlone) {
   const std::string report = read_file(out + "/report.html");
   EXPECT_NE(report.find("equilibrium of forces"), std::string::npos);
   EXPECT_EQ(report.find("src=\"http"), std::string::npos);
+  EXPECT_NE(report.find("square.obj, 2 faces, refined 1 time<"), std::string::npos);
+  EXPECT_NE(report.find("<td class=\"number\">\u22121"), std::string::npos);  // reaction
+  // The largest displacement is hypot(0.2, 0.025), the diagonal sqrt(5): 1 times is 9 % of it.
+  EXPECT_NE(report.find("Displacements are drawn as large as they are"), std::string::npos);
+  EXPECT_NE(report.find("<footer>Made by limes 0."), std::string::npos);
+  EXPECT_NE(report.find(": limes solve " + problem + "</footer>"), std::string::npos);
   EXPECT_NE(read_file(out + "/result.vtu").find("von_mises"), std::string::npos);
-  for (const char* picture : {"control-mesh.png", "stress-xx.png", "von-mises.png"})
+  for (const char* picture : {"control-mesh.png", "deformed.png", "stress-xx.png", "von-mises.png"})
     EXPECT_EQ(read_file(out + "/" + picture).substr(1, 3), "PNG") << picture;
+}
+
+TEST_F(Solve, ReplacesAllResultsOrNone) {
+  const std::string out = folder / "out";
+  std::filesystem::create_directories(out + "/result.json");  // the last to be written cannot be
+  (void)folder.file("out/result.vtu", "of another run");
+  expect_failure(run_limes({"solve", problem, "-o", out}), 5, "result.json: cannot be written");
+  EXPECT_EQ(read_file(out + "/result.vtu"), "of another run");
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out))
+    files += entry.exists() ? 1 : 0;
+  EXPECT_EQ(files, 2);  // no temporary ones either
+}
+
+// In quotes for a shell, where &#39; is the quotation mark of HTML.
+TEST_F(Solve, SaysHowToRepeatTheRun) {
+  const std::string out = folder / "out";
+  const std::string change = "probe.0.name=it's";
+  ASSERT_EQ(run_limes({"solve", problem, "-o", out, "--threads", "1", "--set", change}).exit_code,
+            0);
+  const std::string report = read_file(out + "/report.html");
+  const std::size_t foot = report.find("<footer>");
+  ASSERT_NE(foot, std::string::npos);
+  EXPECT_NE(report.find("--set &#39;probe.0.name=it&#39;\\&#39;&#39;s&#39;</footer>", foot),
+            std::string::npos)
+      << report.substr(foot);
 }
 
 TEST_F(Solve, GivesTheSameBytesForAnyNumberOfThreads) {
@@ -73,7 +105,7 @@ TEST_F(Solve, GivesTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"})
     ASSERT_EQ(run_limes({"solve", block, "-o", folder / threads, "--threads", threads}).exit_code,
               0);
-  for (const char* name : {"/result.vtu", "/stress-xx.png"})
+  for (const char* name : {"/result.vtu", "/stress-xx.png", "/report.html"})
     EXPECT_EQ(read_file(folder / "1" + name), read_file(folder / "2" + name)) << name;
 }
 

@@ -83,7 +83,7 @@ void AtomicFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail_with_errno();
 }
 
-void AtomicFile::commit() {
+void AtomicFile::finish() {
   LIMES_ASSERT(file_ != nullptr);
   const bool flushed = std::fflush(file_) == 0;
   const int reason = errno;
@@ -91,11 +91,26 @@ void AtomicFile::commit() {
   file_ = nullptr;
   if (!flushed) errno = reason;
   if (!flushed || !closed) fail_with_errno();
+}
+
+void AtomicFile::commit() {
+  if (file_) finish();
   if (temporary_.empty()) return;
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) fail(error.message());
   temporary_.clear();
+}
+
+AtomicFile& AtomicFiles::add(const fs::path& target) {
+  return *files_.emplace_back(std::make_unique<AtomicFile>(target));
+}
+
+void AtomicFiles::commit() {
+  for (const auto& file : files_)
+    file->finish();
+  for (const auto& file : files_)
+    file->commit();
 }
 
 void AtomicFile::discard() noexcept {

@@ -2,7 +2,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 namespace limes {
 
@@ -19,6 +21,9 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   void write(std::string_view bytes);
+  /// All bytes are stored and nothing can be written any more; only the new name is missing.
+  void finish();
+  /// finish() if that was not done, then the new name.
   void commit();
 
  private:
@@ -32,6 +37,18 @@ class AtomicFile {
   std::filesystem::path target_;     // links resolved
   std::filesystem::path temporary_;  // empty: written directly
   std::FILE* file_ = nullptr;
+};
+
+/// Several files that belong together: none of them appears before the last byte of all is stored, so
+/// that a full disk or an interrupt does not leave new ones beside old ones.
+class AtomicFiles {
+ public:
+  /// A file to write. The reference holds until the end. @throws OutputError as AtomicFile does
+  AtomicFile& add(const std::filesystem::path& target);
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
 /// Whether a path is the file, pipe or terminal of standard output: /dev/stdout, a link to it.

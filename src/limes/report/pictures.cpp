@@ -170,6 +170,7 @@ Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
   }
   Scene scene;
   scene.surfaces.push_back(std::move(surface));
+  if (has_segments(field.behind)) scene.lines.push_back(field.behind);
   if (has_segments(field.mesh_lines)) scene.lines.push_back(field.mesh_lines);
   Figure figure = scene_figure(scene, options);
   figure.bar = std::move(bar);

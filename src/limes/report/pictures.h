@@ -59,6 +59,7 @@ struct FieldPicture {
   std::optional<ColourScale> scale = {};
   double outliers = 0;
   Lines mesh_lines = {};  ///< drawn over the field, e.g. edge_lines(); may be empty
+  Lines behind = {};      ///< drawn where the field does not hide it; may be empty
 };
 [[nodiscard]] Figure field_figure(const FieldPicture& field, const PictureOptions& options);
 

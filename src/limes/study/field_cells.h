@@ -9,6 +9,7 @@ namespace limes {
 /// States on a grid of (n + 1)^2 points of one tile of one element, u fastest.
 struct FieldCell {
   int element;
+  ParameterTile tile;
   std::vector<PlaneState> states;
 };
 

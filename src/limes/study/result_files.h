@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limes/io/io.h"
 #include "limes/study/checks.h"
 #include "limes/study/probes.h"
 
@@ -16,6 +17,8 @@ struct PlaneResult {
   /// Seconds by phase, in order; measured, so the only part that differs from run to run.
   std::vector<std::pair<std::string, double>> timings;
   std::int64_t peak_memory = 0;  ///< bytes
+  /// What made it, for the foot of the report: version, command; the same for the same input.
+  std::string made_by = {};
 };
 
 /// Contents of result.json, without timings and memory if not wanted (for comparisons).
@@ -24,9 +27,15 @@ struct PlaneResult {
 
 /// result.vtu: curved cells of degree 3 (on which displacements are exact) with displacement, stress,
 /// strain, von Mises stress as nodal values, material and face of the refined mesh per cell.
-void write_result_vtu(const std::filesystem::path& file, const PlaneResult& result);
+void write_result_vtu(const ByteSink& sink, const PlaneResult& result);
 
-/// report.html: numbers, pictures and checks in one file.
-void write_report(const std::filesystem::path& file, const PlaneResult& result);
+/// One of the files of a report.
+struct ReportFile {
+  std::string name;
+  std::string bytes;
+};
+/// report.html with numbers, pictures and checks, which needs no other file; and its pictures as .png.
+/// No timings: the same result gives the same bytes.
+[[nodiscard]] std::vector<ReportFile> report_files(const PlaneResult& result);
 
 }  // namespace limes

@@ -3,19 +3,22 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "limes/core/text.h"
 #include "limes/report/html.h"
-#include "limes/report/pictures.h"
 #include "limes/report/ticks.h"
 #include "limes/solve/linear.h"
-#include "limes/study/field_cells.h"
-#include "limes/study/result_files.h"
+#include "limes/study/result_pictures.h"
 
 namespace limes {
 namespace {
 
 /// A few significant digits for people; result.json has them all.
 std::string shown(double value) {
-  return fmt::format("{:.6g}", value);
+  return format_readable(value, 6);
+}
+
+std::size_t as_size(int count) {
+  return static_cast<std::size_t>(count);
 }
 
 std::string with_unit(const std::string& value, const std::string& unit) {
@@ -28,64 +31,15 @@ std::string stress_unit(const UnitSettings& units) {
   return fmt::format("{}/{}²", units.force, units.length);
 }
 
-/// What the pictures of fields are drawn from: every tile as a small grid of triangles.
-struct FieldTriangles {
-  std::vector<Vec3> points;
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<double> stress_xx, von_mises;
-
-  void add(const FieldCell& cell, int n) {
-    const int first = static_cast<int>(points.size());
-    for (const PlaneState& s : cell.states) {
-      points.push_back(s.x);
-      stress_xx.push_back(s.stress(0));
-      von_mises.push_back(s.von_mises);
-    }
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const int v = first + j * (n + 1) + i;
-        triangles.push_back({v, v + 1, v + n + 2});
-        triangles.push_back({v, v + n + 2, v + n + 1});
-      }
-  }
-};
-
-FieldTriangles field_triangles(const PlaneResult& result) {
-  // Some 300,000 triangles, however many elements there are.
-  const auto elements = static_cast<double>(result.model.space->elements().size());
-  const int n = std::clamp(static_cast<int>(std::sqrt(150'000 / elements)), 2, 12);
-  FieldTriangles out;
-  for_each_field_cell(result.model, result.solution, n, 3,
-                      [&](const FieldCell& cell) { out.add(cell, n); });
-  return out;
-}
-
-/// Limit curves of the element borders would be best; the mesh of limit points is close.
-Lines mesh_lines(const PlaneModel& model) {
-  Lines lines = edge_lines(model.mesh().topology, model.limit_points.span());
-  lines.width = 0.5;
-  lines.on_top = true;
-  lines.colour = palette::muted;
-  return lines;
-}
-
-Figure stress_figure(const PlaneResult& result, const FieldTriangles& field,
-                     const std::vector<double>& values, const std::string& quantity,
-                     const std::string& title) {
-  FieldPicture picture{field.points, field.triangles, values, quantity,
-                       stress_unit(result.model.problem.units)};
-  if (result.model.space->elements().size() < 4000) picture.mesh_lines = mesh_lines(result.model);
-  return field_figure(picture, {.title = title});
-}
-
 void add_summary(const PlaneResult& result, HtmlReport& report) {
   const PlaneModel& model = result.model;
   const Problem& problem = model.problem;
   const bool strain = model.assumption() == PlaneAssumption::strain;
   std::vector<std::pair<std::string, std::string>> rows{
       {"Model", strain ? "plane strain" : "plane stress"},
-      {"Mesh", fmt::format("{}, {} faces, refined {} times", problem.mesh.file.string(),
-                           model.control.topology.num_faces(), problem.mesh.levels)},
+      {"Mesh", fmt::format("{}, {}, refined {}", problem.mesh.file.string(),
+                           counted(as_size(model.control.topology.num_faces()), "face", "faces"),
+                           counted(as_size(problem.mesh.levels), "time", "times"))},
       {"Functions",
        fmt::format("{}, {} boundary", problem.mesh.scheme,
                    problem.model.boundary == FieldBoundary::free ? "free ghosts beyond the"
@@ -93,7 +47,7 @@ void add_summary(const PlaneResult& result, HtmlReport& report) {
       {"Elements", std::to_string(model.space->elements().size())},
       {"Unknowns", std::to_string(result.solution.num_unknowns)},
       {"Quadrature",
-       fmt::format("{0} x {0} Gauss points per tile, {1} rings around extraordinary vertices",
+       fmt::format("{0} × {0} Gauss points per tile, {1} rings around extraordinary vertices",
                    problem.model.quadrature_points, problem.model.quadrature_depth)},
       {"Solver", std::string(DirectSolver::name())},
       {"Strain energy", shown(result.solution.strain_energy)}};
@@ -104,7 +58,7 @@ void add_homogenised(const PlaneSolution::Homogenised& h, const UnitSettings& un
                      HtmlReport& report) {
   report.section("Homogenised cell");
   report.paragraph(fmt::format(
-      "Cell of {} x {}; averages over the whole cell, holes count as zero stress. Macroscopic "
+      "Cell of {} × {}; averages over the whole cell, holes count as zero stress. Macroscopic "
       "strain "
       "(xx, yy, 2xy) = ({}, {}, {}).",
       shown(h.width), shown(h.height), shown(h.strain(0)), shown(h.strain(1)), shown(h.strain(2))));
@@ -114,10 +68,9 @@ void add_homogenised(const PlaneSolution::Homogenised& h, const UnitSettings& un
               {"", "xx", "yy", "xy", "average stress"},
               {}};
   for (int i = 0; i < 3; ++i)
-    table.rows.push_back({names[static_cast<std::size_t>(i)],
-                          fmt::format("{:.8g}", h.stiffness(i, 0)),
-                          fmt::format("{:.8g}", h.stiffness(i, 1)),
-                          fmt::format("{:.8g}", h.stiffness(i, 2)), shown(h.stress(i))});
+    table.rows.push_back({names[static_cast<std::size_t>(i)], format_readable(h.stiffness(i, 0), 8),
+                          format_readable(h.stiffness(i, 1), 8),
+                          format_readable(h.stiffness(i, 2), 8), shown(h.stress(i))});
   report.table(table);
 }
 
@@ -153,47 +106,62 @@ void add_checks(const PlaneResult& result, HtmlReport& report) {
   report.section("Checks");
   std::vector<Check> checks;
   for (const SolutionCheck& c : result.checks)
-    checks.push_back({c.name, fmt::format("{:.2e}", c.value),
-                      fmt::format("at most {:.2g}", c.limit), c.passed()});
+    checks.push_back({c.name, format_readable(c.value, 3), "at most " + format_readable(c.limit, 2),
+                      c.passed()});
   report.checks(checks);
 }
 
-/// A figure in the report and as a picture beside it.
-void add_figure(const Figure& figure, const std::filesystem::path& png, HtmlReport& report) {
-  const Drawing picture = drawing(figure);
-  report.figure(picture);
-  write_drawing(png, picture);
+/// Figures in the report and as pictures beside it.
+class Figures {
+ public:
+  Figures(HtmlReport& report, std::vector<ReportFile>& files) : report_(report), files_(files) {}
+
+  void add(const Figure& figure, const std::string& png) {
+    const Drawing picture = drawing(figure);
+    report_.figure(picture);
+    files_.push_back({png, encode_png(to_image(picture))});
+  }
+
+ private:
+  HtmlReport& report_;
+  std::vector<ReportFile>& files_;
+};
+
+void add_pictures(const PlaneResult& result, Figures& figures, HtmlReport& report) {
+  const PlaneModel& model = result.model;
+  report.section("Mesh");
+  figures.add(control_mesh_figure(model.control, {.title = "Control mesh"}), "control-mesh.png");
+  constexpr int most_faces = 20'000;
+  if (model.problem.mesh.levels > 0 && model.mesh().topology.num_faces() <= most_faces)
+    figures.add(control_mesh_figure(model.mesh(), {.title = "Mesh of the analysis"}),
+                "analysis-mesh.png");
+  const ResultPictures pictures(result);
+  report.section("Displacement");
+  figures.add(pictures.deformed(), "deformed.png");
+  report.section("Stress");
+  figures.add(pictures.stress_xx(), "stress-xx.png");
+  figures.add(pictures.von_mises(), "von-mises.png");
 }
 
 }  // namespace
 
-void write_report(const std::filesystem::path& file, const PlaneResult& result) {
+std::vector<ReportFile> report_files(const PlaneResult& result) {
   const PlaneModel& model = result.model;
-  const std::filesystem::path folder = file.parent_path();
+  std::vector<ReportFile> files;
   HtmlReport report(model.problem.title.empty() ? "Plane elasticity" : model.problem.title,
                     model.problem.file.filename().string());
+  Figures figures(report, files);
   add_summary(result, report);
   if (result.solution.homogenised)
     add_homogenised(*result.solution.homogenised, model.problem.units, report);
-
-  report.section("Mesh");
-  add_figure(control_mesh_figure(model.control, {.title = "Control mesh"}),
-             folder / "control-mesh.png", report);
-  if (model.problem.mesh.levels > 0 && model.mesh().topology.num_faces() <= 20'000)
-    add_figure(control_mesh_figure(model.mesh(), {.title = "Mesh of the analysis"}),
-               folder / "analysis-mesh.png", report);
-
-  report.section("Stress");
-  const FieldTriangles field = field_triangles(result);
-  add_figure(stress_figure(result, field, field.stress_xx, "σ_{xx}", "Stress in x"),
-             folder / "stress-xx.png", report);
-  add_figure(stress_figure(result, field, field.von_mises, "σ_{vM}", "Von Mises stress"),
-             folder / "von-mises.png", report);
+  add_pictures(result, figures, report);
   add_probes(result, report);
   add_reactions(result, report);
   add_checks(result, report);
-  report.raw_data("result.json", result_json(result).dump(2));
-  report.write(file);
+  report.raw_data("result.json, without timings", result_json(result, false).dump(2));
+  report.footer(result.made_by);
+  files.push_back({"report.html", report.text()});
+  return files;
 }
 
 }  // namespace limes

@@ -52,11 +52,11 @@ class ResultGrid {
 
 }  // namespace
 
-void write_result_vtu(const std::filesystem::path& file, const PlaneResult& result) {
+void write_result_vtu(const ByteSink& sink, const PlaneResult& result) {
   ResultGrid grid(result.model);
   for_each_field_cell(result.model, result.solution, degree, rings,
                       [&](const FieldCell& cell) { grid.add(cell); });
-  write_vtu(file, grid.take());
+  write_vtu(sink, grid.take());
 }
 
 }  // namespace limes

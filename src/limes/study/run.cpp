@@ -40,7 +40,7 @@ PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
   std::vector<std::pair<std::string, double>> timings;
   Phases phase(on_phase, timings);
   PlaneResult result{
-      phase("model", [&] { return read_model(problem, options); }), {}, {}, {}, {}, 0};
+      phase("model", [&] { return read_model(problem, options); }), {}, {}, {}, {}, 0, {}};
   result.solution = phase("solve", [&] { return solve_plane(result.model); });
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
   for (std::string& remark : remarks_on(result.probes, result.model))
@@ -54,9 +54,17 @@ void write_results(const std::filesystem::path& folder, const PlaneResult& resul
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw OutputError("{}: cannot be made: {}", folder.string(), error.message());
-  write_result_vtu(folder / "result.vtu", result);
-  write_report(folder / "report.html", result);
-  write_file(folder / "result.json", result_json(result).dump(2) + "\n");
+  AtomicFiles files;
+  const auto write = [&](const std::string& name, std::string_view bytes) {
+    files.add(folder / name).write(bytes);
+  };
+  AtomicFile& vtu = files.add(folder / "result.vtu");
+  write_result_vtu([&](std::string_view bytes) { vtu.write(bytes); }, result);
+  for (const ReportFile& file : report_files(result))
+    write(file.name, file.bytes);
+  write("result.json", result_json(result).dump(2) + "\n");
+  check_interrupt();
+  files.commit();
 }
 
 }  // namespace limes

@@ -14,7 +14,7 @@ using PhaseCallback = std::function<void(std::string_view phase)>;
                                       const PhaseCallback& on_phase = {});
 
 /// Writes result.json, result.vtu, report.html and its pictures into a folder, which is made if it
-/// is not there. @throws OutputError
+/// is not there: all of them, or none of them is changed. @throws OutputError
 void write_results(const std::filesystem::path& folder, const PlaneResult& result);
 
 }  // namespace limes

@@ -1,0 +1,63 @@
+#include "limes/study/result_pictures.h"
+
+#include <algorithm>
+
+#include "study/annulus.h"
+#include "study/solved.h"
+
+namespace limes {
+namespace {
+
+PlaneResult solved_ring() {
+  Solved s = solve(steel + R"(
+[model]
+kind = "plane-stress"
+[[support]]
+where = "x == 0"
+fix = ["ux"]
+[[support]]
+where = "y == 0"
+fix = ["uy"]
+[[load]]
+where = "x^2 + y^2 < 1.01"
+pressure = 1.0
+)",
+                   testing::annulus(8, 2));
+  return {std::move(s.model), std::move(s.solution), {}, {}, {}, 0, {}};
+}
+
+/// Distance from the image's centre to the nearest pixel that is not white, in units of half the width.
+double white_radius(const Image& image) {
+  double least = 2;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const auto pixel = image.pixel(x, y);
+      if (std::all_of(pixel.begin(), pixel.end(), [](int c) { return c == 255; })) continue;
+      const double dx = 2 * (x + 0.5) / image.width() - 1, dy = 2 * (y + 0.5) / image.height() - 1;
+      least = std::min(least, std::hypot(dx, dy));
+    }
+  return least;
+}
+
+// The hole has half the radius of the ring. Eight chords instead of its border would reach inwards
+// to cos(pi / 8) = 0.92 of that.
+TEST(ResultPictures, BordersOfFacesFollowTheCurve) {
+  const PlaneResult result = solved_ring();
+  EXPECT_NEAR(white_radius(ResultPictures(result).stress_xx().image), 0.5, 0.01);
+}
+
+TEST(ResultPictures, DisplacementsAreDrawnLargeEnoughToSee) {
+  for (const double largest : {1e-12, 0.0021, 0.0039, 0.0041, 0.03, 1.0, 7e5}) {
+    const double drawn = largest * exaggeration(largest, 3.0) / 3.0;
+    EXPECT_LE(drawn, 0.1 * (1 + 1e-12)) << largest;
+    EXPECT_GE(drawn, 0.04 * (1 - 1e-12)) << largest;
+  }
+  EXPECT_EQ(exaggeration(0.003, 1), 20);
+  EXPECT_EQ(exaggeration(0, 1), 1);
+  const PlaneResult result = solved_ring();
+  const Figure figure = ResultPictures(result).deformed();
+  EXPECT_NE(figure.caption.find("Displacements are drawn 0."), std::string::npos) << figure.caption;
+}
+
+}  // namespace
+}  // namespace limes
