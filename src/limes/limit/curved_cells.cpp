@@ -61,12 +61,11 @@ class FaceCells {
 
   void split(const Step& step, const CurvedCells::Cell& cell) {
     const RefinedKind& kind = surface_.basis().kinds().refined(step.kind);
-    static const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
     const double half = 0.5 * cell.size;
     for (int q = 0; q < 4; ++q) {
       const int child = (q - step.rotation + 4) % 4;
       CurvedCells::Cell part = cell;
-      part.origin += half * corners[static_cast<std::size_t>(q)];
+      part.origin += half * square_corners[static_cast<std::size_t>(q)];
       part.size = half;
       part.deviation = 0.0;
       visit({kind.children[static_cast<std::size_t>(child)].kind, q, step.depth + 1}, part);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "limes/limit/ring_kind.h"
 
 namespace limes {
+
+/// Parameters of the corners of a parameter square, in the order of a quad's corners.
+inline const std::array<Vec2, 4> square_corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
 
 /// The limit functions of a mesh: which control vertices each face depends on, and with which
 /// weights at (face, corner, u, v). No positions: the same basis carries geometry, displacements

@@ -122,11 +122,10 @@ class CornerWeights {
 
  private:
   [[nodiscard]] VectorX corner_weights(FaceId f, int c) const {
-    static const std::array<Vec2, 4> corners{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
     const bool quad = basis_.topology().face_size(f) == 4;
     BasisAt at;
-    basis_.evaluate(f, quad ? 0 : c, quad ? corners[static_cast<std::size_t>(c)] : Vec2(0, 0), 0,
-                    at);
+    basis_.evaluate(f, quad ? 0 : c,
+                    quad ? square_corners[static_cast<std::size_t>(c)] : Vec2(0, 0), 0, at);
     return at.N;
   }
 
