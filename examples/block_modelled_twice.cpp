@@ -45,8 +45,8 @@ FigureGrid comparison(const Mesh& rings, const Mesh& cut) {
   FigureGrid grid{.columns = 2, .title = "A block of material, modelled twice"};
   grid.figures = {mesh_figure(rings, "Holes and grains set into rings"),
                   mesh_figure(cut, "Holes cut out as whole faces"),
-                  mesh_figure(refined(rings), "after two steps"),
-                  mesh_figure(refined(cut), "after two steps")};
+                  mesh_figure(refined(rings), "After two steps"),
+                  mesh_figure(refined(cut), "After two steps")};
   return grid;
 }
 
