@@ -17,28 +17,10 @@
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
+#include "subdiv/coarsen_meshes.h"
 
 namespace limes {
 namespace {
-
-BoundaryRule rule_of(const Mesh& mesh) {
-  return mesh.tags.boundary.value_or(BoundaryRule::edges);
-}
-
-Mesh refined(const Mesh& mesh, int levels = 1) {
-  return refine(mesh, find_scheme("catmull-clark"), {levels, rule_of(mesh)});
-}
-
-double size_of(const Mesh& mesh) {
-  return bounding_box(mesh).diagonal();
-}
-
-double largest_distance(const Mesh& a, const Mesh& b) {
-  double largest = 0;
-  for (int v = 0; v < a.points.size(); ++v)
-    largest = std::max(largest, (a.points[VertexId(v)] - b.points[VertexId(v)]).norm());
-  return largest;
-}
 
 /// Shapes that can be refined, with a boundary rule whose result can be undone.
 std::vector<std::string> shapes() {
@@ -53,12 +35,6 @@ std::vector<std::string> shapes() {
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-Mesh read_shape(const std::string& name) {
-  Mesh mesh = read_mesh(LIMES_TEST_DATA_DIR "/opensubdiv/" + name + ".obj").mesh;
-  if (mesh.tags.boundary == BoundaryRule::none) mesh.tags.boundary = BoundaryRule::edges;
-  return mesh;
 }
 
 /// Sharpness that vanishes in one step leaves nothing to find it by.
@@ -270,41 +246,6 @@ TEST(Coarsen, CarriesGroupsPartsAndHoles) {
   EXPECT_EQ(split.mesh.groups[0].faces, (std::vector<FaceId>{FaceId(1), FaceId(2)}));
   ASSERT_EQ(split.remarks.size(), 1U);
   EXPECT_NE(split.remarks[0].find("group some"), std::string::npos);
-}
-
-std::string error_of(const Mesh& mesh) {
-  try {
-    (void)coarsen_catmull_clark(mesh);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-TEST(Coarsen, SaysWhereAMeshIsNotRefined) {
-  Mesh moved = refined(read_shape("catmark_torus"));
-  const int last = moved.points.size() - 1;  // a face point
-  moved.points[VertexId(last)] += 0.01 * size_of(moved) * Vec3::UnitX();
-  const std::string message = error_of(moved);
-  EXPECT_NE(message.find("vertex " + std::to_string(last) + " is "), std::string::npos) << message;
-  EXPECT_NE(message.find("of the diagonal"), std::string::npos) << message;
-
-  EXPECT_NE(error_of(read_shape("catmark_pyramid")).find("leaves quads only"), std::string::npos);
-  EXPECT_NE(error_of(read_shape("catmark_cube")).find("are not refined: "), std::string::npos);
-}
-
-TEST(Coarsen, SaysWhyACubeIsNotUnique) {
-  const std::string message = error_of(refined(read_shape("catmark_cube")));
-  EXPECT_NE(message.find("vertices 0, 1, 2, 3, 4, 5, 6, 7 are not unique"), std::string::npos)
-      << message;
-}
-
-TEST(Coarsen, RefusesWhatTheBoundaryRuleTookAway) {
-  Mesh mesh = read_shape("catmark_xord_boundary");
-  mesh.tags.boundary = BoundaryRule::none;
-  Mesh fine = refined(mesh);
-  if (fine.topology.num_faces() == 0) return;
-  EXPECT_NE(error_of(fine).find("boundary rule is none"), std::string::npos);
 }
 
 TEST(Coarsen, AcceptsRoundedFiles) {
