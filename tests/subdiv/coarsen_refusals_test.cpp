@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "limes/core/error.h"
 #include "limes/subdiv/coarsen.h"
 #include "subdiv/coarsen_meshes.h"
@@ -9,9 +11,9 @@
 namespace limes {
 namespace {
 
-std::string error_of(const Mesh& mesh) {
+std::string error_of(const Mesh& mesh, double tolerance = CoarsenOptions{}.tolerance) {
   try {
-    (void)coarsen_catmull_clark(mesh);
+    (void)coarsen_catmull_clark(mesh, {.tolerance = tolerance});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -42,6 +44,25 @@ TEST(Coarsen, RefusesWhatTheBoundaryRuleTookAway) {
   Mesh fine = refined(mesh);
   if (fine.topology.num_faces() == 0) return;
   EXPECT_NE(error_of(fine).find("boundary rule is none"), std::string::npos);
+}
+
+// The bound that comes before least squares never refuses what least squares would accept.
+TEST(Coarsen, RefusesAtOnceOnlyWhatIsTooFarAway) {
+  std::mt19937 random(5);
+  const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+  for (const char* name : {"catmark_torus", "catmark_torus_creases0", "catmark_pole8"}) {
+    Mesh mesh = refined(read_shape(name));
+    for (const double size : {1e-9, 1e-5, 1e-2}) {
+      Mesh moved = mesh;
+      for (Vec3& x : moved.points)
+        x += size * size_of(mesh) * Vec3(noise(), noise(), noise());
+      const double residual = coarsen_catmull_clark(moved, {.tolerance = 1}).residual;
+      const double just = residual / size_of(moved) * (1 + 1e-9);
+      EXPECT_NO_THROW((void)coarsen_catmull_clark(moved, {.tolerance = just})) << name << size;
+      const std::string message = error_of(moved, 0.01 * just);
+      EXPECT_NE(message.find(" is at least "), std::string::npos) << message;
+    }
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/mesh/measure.h"
+#include "limes/subdiv/coarsen_bound.h"
 #include "limes/subdiv/coarsen_positions.h"
 #include "limes/subdiv/coarsen_tags.h"
 #include "limes/subdiv/crease.h"
@@ -22,6 +23,7 @@ struct Reading {
   int first_old;
   std::vector<VertexId> old_vertices;  // fine ids
   CoarsePositions positions;
+  bool refused = false;  // by residual_bound(): no points, the residual is at least that large
 };
 
 class Coarsener {
@@ -98,9 +100,13 @@ class Coarsener {
       reason = tags.misfit;
       if (!reason.empty()) return {};
       const Features features = resolve_tags(adjacency, tags.tags, boundary_rule());
+      const ResidualBound bound =
+          residual_bound(adjacency_, coarse, adjacency, features, mesh_.points.span());
+      if (bound.distance > tolerance_ * size_)
+        return Reading{first_old, {}, {{}, bound.distance, bound.worst, true}, true};
       CoarsePositions positions =
           solve_positions(adjacency_, coarse, adjacency, features, mesh_.points.span());
-      return Reading{first_old, std::move(coarse.old_vertex), std::move(positions)};
+      return Reading{first_old, std::move(coarse.old_vertex), std::move(positions), false};
     } catch (const InputError& error) {  // the coarse faces would make no surface
       reason = error.what();
       return {};
@@ -111,9 +117,9 @@ class Coarsener {
     const CoarsePositions& p = reading.positions;
     if (!(p.residual <= tolerance_ * size_))
       throw InputError(
-          "not a refined mesh: vertex {} is {:.2g} away from where refinement would put it, "
+          "not a refined mesh: vertex {} is {}{:.2g} away from where refinement would put it, "
           "{:.2g} of the diagonal (creases of sharpness 1 or less cannot be undone)",
-          p.worst.value, p.residual, p.residual / size_);
+          p.worst.value, reading.refused ? "at least " : "", p.residual, p.residual / size_);
     if (p.unique) return;
     std::vector<int> names;
     for (const VertexId v : reading.old_vertices)
