@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "files.h"
 #include "limes/core/atomic_file.h"
+#include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
 #include "limes/core/text.h"
@@ -18,6 +19,7 @@
 #include "mesh_surface.h"
 #include "run.h"
 #include "sample_points.h"
+#include "surface_search.h"
 #include "terminal.h"
 
 namespace limes::app {
@@ -25,7 +27,7 @@ namespace {
 
 struct EvaluateCommand {
   MeshOptions mesh;
-  std::filesystem::path points, output;
+  std::filesystem::path at, closest, rays, output;  // one of the first three is given
   SchemeOptions scheme;
   RunOptions run;
 
@@ -120,11 +122,8 @@ void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
   file.commit();
 }
 
-void EvaluateCommand::operator()() const {
-  const Run current(run);
-  const SchemeChoice choice = choose_scheme(scheme);
-  check_output(output, run);
-  const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
+nlohmann::ordered_json write_values(const MeshSurface& surface, const std::filesystem::path& points,
+                                    const std::filesystem::path& output) {
   const auto samples = read_sample_points(points, surface.mesh().topology);
   for (const SamplePoint& p : samples)
     if (!surface.has_surface(p.face))
@@ -133,22 +132,61 @@ void EvaluateCommand::operator()() const {
                      p.face.value);
   const BulkEvaluator bulk(surface.surface().basis(), surface.mesh().points.span());
   write_table(surface.surface(), bulk, samples, output);
-  if (run.json)
-    print_object({{"points", samples.size()},
-                  {"seconds", current.seconds()},
-                  {"peak_memory", peak_memory()}});
-  else if (!is_standard_output(output))
-    print(fmt::format("{}: {}\n", output.string(), counted(samples.size(), "point", "points")));
+  return {{"points", samples.size()}};
+}
+
+nlohmann::ordered_json write_hits(const MeshSurface& surface, const std::filesystem::path& rays,
+                                  const std::filesystem::path& output) {
+  const RayCount count = write_ray_hits(surface, rays, output);
+  return {{"rays", count.rays}, {"hits", count.hits}};
+}
+
+void EvaluateCommand::operator()() const {
+  const int given = !at.empty() + !closest.empty() + !rays.empty();
+  if (given != 1)
+    throw UsageError("{} of --at, --closest and --ray are given; one is right", given);
+  const Run current(run);
+  const SchemeChoice choice = choose_scheme(scheme);
+  check_output(output, run);
+  const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
+  nlohmann::ordered_json counts;
+  if (!at.empty())
+    counts = write_values(surface, at, output);
+  else if (!closest.empty())
+    counts = {{"points", write_closest_points(surface, closest, output)}};
+  else
+    counts = write_hits(surface, rays, output);
+  if (run.json) {
+    counts["seconds"] = current.seconds();
+    counts["peak_memory"] = peak_memory();
+    print_object(counts);
+  } else if (!is_standard_output(output)) {
+    std::string text = counted(counts.begin()->get<std::size_t>(), "point", "points");
+    if (!rays.empty())
+      text = counted(counts["rays"].get<std::size_t>(), "ray", "rays") + ", " +
+             counted(counts["hits"].get<std::size_t>(), "hit", "hits");
+    print(fmt::format("{}: {}\n", output.string(), text));
+  }
 }
 
 }  // namespace
 
 void add_evaluate(CLI::App& program) {
   const auto command = std::make_shared<EvaluateCommand>();
-  CLI::App& app = *program.add_subcommand("evaluate", "Points, derivatives and curvature exactly");
-  app.add_option("--at", command->points, "Where: a table with the columns face,corner,u,v")
-      ->required()
-      ->option_text("POINTS.csv (required)")
+  CLI::App& app =
+      *program.add_subcommand("evaluate", "Points, derivatives, curvature; closest points, rays");
+  app.add_option("--at", command->at, "Where: a table with the columns face,corner,u,v")
+      ->option_text("POINTS.csv")
+      ->group(files_group);
+  app.add_option(
+         "--closest", command->closest,
+         "Find the closest points of the surface\nto points: a table with the columns x,y,z")
+      ->option_text("POINTS.csv")
+      ->group(files_group);
+  app.add_option("--ray", command->rays,
+                 "Find where rays first meet the surface:\n"
+                 "a table with the columns x,y,z,dx,dy,dz")
+      ->option_text("RAYS.csv")
       ->group(files_group);
   add_output_option(app, command->output, "Table to write, one line per point");
   add_mesh_options(app, command->mesh);
@@ -161,7 +199,11 @@ void add_evaluate(CLI::App& program) {
       "quadrant\n"
       "at that corner: (0,0) there, u towards the next corner, v towards the previous one, (1,1) "
       "in\n"
-      "the middle of the face. What does not exist at a point is an empty field.\n\n"
+      "the middle of the face. What does not exist at a point is an empty field.\n"
+      "One of --at, --closest and --ray is needed. The last two write face,corner,u,v,x,y,z and\n"
+      "distance, or t and side: a ray is (x,y,z) + t (dx,dy,dz), t >= 0; one that misses is a "
+      "line\n"
+      "of empty fields.\n\n"
       "  limes evaluate cube.obj --scheme catmull-clark --at points.csv -o values.csv");
   app.final_callback([command] { (*command)(); });
 }

@@ -40,21 +40,6 @@ VtkCell parse_cells(const std::string& name) {
   throw UsageError("--cells: there is no kind {}; known are lagrange, bezier", quote(name));
 }
 
-/// The faces that are shown: no holes, none that only shape the others.
-/// @throws InputError if there are none
-std::vector<FaceId> visible_faces(const MeshSurface& surface, const std::string& file) {
-  std::vector<bool> hole(static_cast<std::size_t>(surface.mesh().topology.num_faces()), false);
-  for (const FaceId f : surface.mesh().tags.holes)
-    hole[static_cast<std::size_t>(f.value)] = true;
-  std::vector<FaceId> faces;
-  for (int f = 0; f < surface.mesh().topology.num_faces(); ++f)
-    if (!hole[static_cast<std::size_t>(f)] && surface.has_surface(FaceId(f))) faces.emplace_back(f);
-  if (faces.empty())
-    throw InputError("{}: no face has a surface: each is a hole or dropped by boundary rule none",
-                     file);
-  return faces;
-}
-
 std::vector<double> flat(const std::vector<Vec3>& values) {
   std::vector<double> result;
   result.reserve(3 * values.size());
@@ -113,8 +98,7 @@ void LimitCommand::operator()() const {
   CurvedCells curved;
   {
     const Progress progress(fmt::format("evaluating {}", mesh.file.string()));
-    curved = curved_cells(surface.surface(), visible_faces(surface, mesh.file.string()),
-                          relative * diagonal);
+    curved = curved_cells(surface.surface(), surface.visible_faces(), relative * diagonal);
   }
   check_interrupt();
   const std::size_t num_cells = curved.cells.size();

@@ -22,11 +22,25 @@ const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
 }  // namespace
 
 MeshSurface::MeshSurface(Mesh mesh, const SchemeChoice& choice, std::string_view file)
-    : mesh_(std::move(mesh)),
+    : file_(file),
+      mesh_(std::move(mesh)),
       basis_(mesh_.topology, features_of(mesh_, choice), require_limit(*choice.scheme, file)),
       surface_(basis_, mesh_.points.span()) {
   if (choice.boundary_for(mesh_) == BoundaryRule::none)
     dropped_ = unsupported_faces(basis_.adjacency(), mesh_.tags);
+}
+
+std::vector<FaceId> MeshSurface::visible_faces() const {
+  std::vector<bool> hole(static_cast<std::size_t>(mesh_.topology.num_faces()), false);
+  for (const FaceId f : mesh_.tags.holes)
+    hole[static_cast<std::size_t>(f.value)] = true;
+  std::vector<FaceId> faces;
+  for (int f = 0; f < mesh_.topology.num_faces(); ++f)
+    if (!hole[static_cast<std::size_t>(f)] && has_surface(FaceId(f))) faces.emplace_back(f);
+  if (faces.empty())
+    throw InputError("{}: no face has a surface: each is a hole or dropped by boundary rule none",
+                     file_);
+  return faces;
 }
 
 }  // namespace limes::app

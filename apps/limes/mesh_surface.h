@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,8 +22,12 @@ class MeshSurface {
   [[nodiscard]] bool has_surface(FaceId f) const {
     return dropped_.empty() || !dropped_[static_cast<std::size_t>(f.value)];
   }
+  /// The faces that have surface to show: no holes, none that only shape the others.
+  /// @throws InputError if there are none
+  [[nodiscard]] std::vector<FaceId> visible_faces() const;
 
  private:
+  std::string file_;
   Mesh mesh_;
   LimitBasis basis_;
   LimitSurface surface_;
