@@ -21,7 +21,7 @@ import tempfile
 
 import machine
 
-RUNS = ['refine', 'set-up', 'evaluate', 'assemble']
+RUNS = ['refine', 'set-up', 'evaluate', 'closest', 'assemble']
 RECORD = pathlib.Path(__file__).with_name('instructions.json')
 SKIPPED = 77
 

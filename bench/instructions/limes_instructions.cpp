@@ -1,6 +1,6 @@
 // Small fixed runs for valgrind --tool=callgrind --collect-atstart=no. Only the named work is
 // counted, not reading the input, and it runs in one thread whatever the machine has.
-//   --run refine | set-up | evaluate | assemble
+//   --run refine | set-up | evaluate | closest | assemble
 #include <valgrind/callgrind.h>
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include "input.h"
 #include "limes/fem/laplace.h"
 #include "limes/limit/bulk_evaluator.h"
+#include "limes/limit/closest_point.h"
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/uniform.h"
@@ -91,6 +92,28 @@ double evaluate() {
   return checksum(values.x);
 }
 
+/// Closest points of the rook from 500 places in the box around it.
+double closest() {
+  const limes::Mesh mesh = rook();
+  const limes::LimitBasis basis(mesh.topology, features_of(mesh), catmull_clark());
+  const limes::SurfaceTree tree(basis, mesh.points.span());
+  Eigen::AlignedBox3d box;
+  for (const limes::Vec3& x : mesh.points)
+    box.extend(x);
+  std::vector<limes::Vec3> queries;
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Array3d t(i % 10, i / 10 % 10, i / 100);
+    queries.emplace_back(box.min().array() +
+                         (t + 0.5) / Eigen::Array3d(10, 10, 5) * box.sizes().array());
+  }
+  std::vector<limes::ClosestHit> hits;
+  counted([&] { hits = limes::closest_points(tree, queries); });
+  Centroid centroid;
+  for (const limes::ClosestHit& hit : hits)
+    centroid.add(hit.point.x(), hit.point.y(), hit.point.z());
+  return centroid.checksum();
+}
+
 /// The H1 product on a pentagon of 320 quads around a vertex of valence 5.
 double assemble() {
   const limes::SubdivisionSpace space(limes::shapes::disk(5, 8), catmull_clark(),
@@ -101,8 +124,11 @@ double assemble() {
 }
 
 void run(const Args& args) {
-  const std::map<std::string, double (*)()> runs{
-      {"refine", refine}, {"set-up", set_up}, {"evaluate", evaluate}, {"assemble", assemble}};
+  const std::map<std::string, double (*)()> runs{{"refine", refine},
+                                                 {"set-up", set_up},
+                                                 {"evaluate", evaluate},
+                                                 {"closest", closest},
+                                                 {"assemble", assemble}};
   const auto found = runs.find(args.get("run", "refine"));
   args.require_all_read();
   if (found == runs.end()) throw std::runtime_error("unknown run");

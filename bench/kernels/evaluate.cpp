@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "limes/limit/bulk_evaluator.h"
+#include "limes/limit/closest_point.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/schemes.h"
@@ -63,6 +64,19 @@ void limit_bulk(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(places.size()));
 }
 
+/// Closest points of a torus from a grid of places around and inside it.
+void closest(benchmark::State& state) {
+  const Mesh mesh = shapes::torus(64, 32);
+  const LimitBasis basis(mesh.topology, {}, find_scheme("catmull-clark"));
+  const SurfaceTree tree(basis, mesh.points.span());
+  std::vector<Vec3> queries;
+  for (int i = 0; i < 512; ++i)
+    queries.emplace_back(i % 8 - 3.4, i / 8 % 8 - 3.6, 0.5 * (i / 64) - 1.8);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(closest_points(tree, queries).data());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
+}
+
 /// [stam_1998], the same face as limit_basis_functions.
 void stam_point(benchmark::State& state) {
   const Mesh mesh = shapes::disk(static_cast<int>(state.range(0)), 4);
@@ -78,6 +92,7 @@ void stam_point(benchmark::State& state) {
 }
 
 BENCHMARK(limit_bulk)->ArgNames({"valence", "order"})->ArgsProduct({{4, 5}, {0, 1, 2}});
+BENCHMARK(closest);
 BENCHMARK(stam_point)->Arg(5)->Arg(32);
 BENCHMARK(limit_set_up)->Arg(4)->Arg(5)->Arg(32);
 BENCHMARK(limit_basis_functions)
