@@ -74,7 +74,7 @@ def limit_cases(tiny):
 
 def search_cases(tiny):
     """Closest points: of queries near the surface, and anywhere in a box around it."""
-    queries = 1000 if tiny else 1000000
+    queries = 1000 if tiny else 100000
     return [Case('closest', f'{model}, {places}', model,
                  f'limes_closest --in MODEL --queries {queries} --places {places}', {}, 10e-6)
             for model in ('torus', 'suzanne_quads', 'rook') for places in ('near', 'box')]
