@@ -16,12 +16,13 @@ class Search {
  public:
   Search(const SurfaceTree& tree, const Vec3& q)
       : squares_(tree.squares()), objective_(q, tree.centre(), tree.size()), best_(objective_) {
-    tree.boxes().traverse([&](const BoxTree::Boxes4& boxes) { return objective_.minima(boxes); },
-                          [&] { return best_.largest(); },
-                          [&](int item) {
-                            const SurfaceTree::Item& i = tree.item(item);
-                            visit(squares_.root(i.face, i.corner));
-                          });
+    tree.traverse([&](const BoxTree::Boxes4& boxes) { return objective_.minima(boxes); },
+                  [&] { return best_.largest(); },
+                  [&](const SurfaceTree::Patch& patch) {
+                    search_patch(patch.bezier, patch.centre - objective_.origin(), patch.place,
+                                 objective_, best_);
+                  },
+                  [&](const SurfaceSquare& square) { visit(square); });
   }
 
   [[nodiscard]] const DistanceObjective& objective() const { return objective_; }

@@ -222,6 +222,12 @@ void ClosestSoFar::offer(const Vec3& y, const SquarePlace& place, const Vec2& uv
 
 void search_patch(const BezierPatch& patch, const Vec3& shift, const SquarePlace& place,
                   const DistanceObjective& objective, ClosestSoFar& best) {
+  // F is convex in space: it lies above its tangent plane at any point, say the patch's middle.
+  const Vec3 middle =
+      0.25 * (patch.row(5) + patch.row(6) + patch.row(9) + patch.row(10)).transpose();
+  const Vec3 n = objective.gradient(shift + middle);
+  const double plane = objective.value(shift + middle) + (patch * n).minCoeff() - n.dot(middle);
+  if (best.excludes(plane, place)) return;
   const DistancePolynomial polynomial(patch, shift, objective);
   if (best.excludes(polynomial.lower_bound(), place)) return;
   Search(shift, place, objective, best).run({patch, Vec2::Zero(), Vec2::Ones()}, polynomial);

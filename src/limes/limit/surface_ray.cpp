@@ -46,12 +46,12 @@ class Search {
  public:
   Search(const SurfaceTree& tree, const RayFrame& frame, double t_min, double t_max)
       : squares_(tree.squares()), frame_(frame), first_(t_min, t_max, 0.5e-13 * tree.size()) {
-    tree.boxes().traverse([&](const BoxTree::Boxes4& boxes) { return entries(boxes); },
-                          [&] { return first_.largest(); },
-                          [&](int item) {
-                            const SurfaceTree::Item& i = tree.item(item);
-                            visit(squares_.root(i.face, i.corner));
-                          });
+    tree.traverse([&](const BoxTree::Boxes4& boxes) { return entries(boxes); },
+                  [&] { return first_.largest(); },
+                  [&](const SurfaceTree::Patch& patch) {
+                    visit_patch(patch.bezier, patch.centre, patch.place);
+                  },
+                  [&](const SurfaceSquare& square) { visit(square); });
   }
 
   [[nodiscard]] const FirstSoFar& first() const { return first_; }
@@ -80,13 +80,16 @@ class Search {
     return enter;
   }
 
+  void visit_patch(const BezierPatch& bezier, const Vec3& centre, const SquarePlace& place) {
+    BezierPatch patch = bezier * frame_.axes;
+    patch.rowwise() += (frame_.axes.transpose() * (centre - frame_.origin)).transpose();
+    search_patch(patch, place, first_);
+  }
+
   void visit(const SurfaceSquare& square) {
+    if (squares_.is_patch(square))
+      return visit_patch(squares_.patch(square), square.centre, square.place);
     const Vec3 centre = frame_.axes.transpose() * (square.centre - frame_.origin);
-    if (squares_.is_patch(square)) {
-      BezierPatch patch = squares_.patch(square) * frame_.axes;
-      patch.rowwise() += centre.transpose();
-      return search_patch(patch, square.place, first_);
-    }
     const Bounds box = box_in_frame(square, centre);
     if (misses(box, square.place, first_)) return;
     if (squares_.is_self_similar(square) && (box.upper - box.lower).norm() <= first_.tolerance())

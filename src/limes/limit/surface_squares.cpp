@@ -39,6 +39,32 @@ double negative_part(const Eigen::Matrix<double, 16, Eigen::Dynamic>& rows) {
   return -rows.cwiseMin(0.0).rowwise().sum().minCoeff();
 }
 
+using Controls = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// out = A x, row by row; three columns at a time.
+void multiply(const SparseMatrix& A, const Controls& x, Controls& out) {
+  out.resize(A.rows(), 3);
+  const int* const starts = A.outerIndexPtr();
+  const int* const columns = A.innerIndexPtr();
+  const double* const weights = A.valuePtr();
+  const double* const x0 = x.col(0).data();
+  const double* const x1 = x.col(1).data();
+  const double* const x2 = x.col(2).data();
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    double sum0 = 0, sum1 = 0, sum2 = 0;
+    for (int k = starts[i]; k < starts[i + 1]; ++k) {
+      const double w = weights[k];
+      const int j = columns[k];
+      sum0 += w * x0[j];
+      sum1 += w * x1[j];
+      sum2 += w * x2[j];
+    }
+    out(i, 0) = sum0;
+    out(i, 1) = sum1;
+    out(i, 2) = sum2;
+  }
+}
+
 }  // namespace
 
 SurfaceSquares::SurfaceSquares(const LimitBasis& basis, std::span<const Vec3> points)
@@ -143,7 +169,7 @@ SurfaceSquare SurfaceSquares::child(const SurfaceSquare& square, int i) const {
   child.place = child_place(square.place, i % 4);
   child.kind = step.kind;
   child.centre = square.centre;
-  child.controls.noalias() = step.A * square.controls;
+  multiply(step.A, square.controls, child.controls);
   if (is_self_similar(child) && child.kind != square.kind) move_to_limit(child);
   return child;
 }

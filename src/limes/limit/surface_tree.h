@@ -12,13 +12,16 @@ namespace limes {
 /// A limit surface made ready for searches: closest points (closest_point.h) and rays
 /// (surface_ray.h). Built once, then only read, from any number of threads.
 ///
-/// Holds a box for every quadrant of a face, some 110 bytes; patches and what lies around
-/// extraordinary vertices are worked out when a search comes there.
+/// Holds patches, 550 bytes each with their boxes: one for every quadrant of a face that is one, and
+/// around extraordinary vertices and features as many as twice the quadrants and 65,536 allow. What
+/// is left there is worked out when a search comes to it.
 class SurfaceTree {
  public:
-  struct Item {
-    FaceId face;
-    int corner;
+  /// A bicubic patch; its coefficients are relative to centre.
+  struct Patch {
+    SquarePlace place;
+    Vec3 centre;
+    BezierPatch bezier;
   };
 
   /// Of all faces. Keeps a reference to the basis and a copy of the points.
@@ -32,18 +35,43 @@ class SurfaceTree {
   // about 1, so that squares neither overflow nor vanish: point = 2^exponent() times theirs.
 
   [[nodiscard]] const SurfaceSquares& squares() const { return squares_; }
-  [[nodiscard]] const BoxTree& boxes() const { return boxes_; }
-  [[nodiscard]] const Item& item(int i) const { return items_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] int exponent() const { return exponent_; }
   /// Of all boxes: middle and length of the diagonal, scaled.
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double size() const { return size_; }
 
+  /// Visits pieces of the surface in the order of their boxes (see BoxTree::traverse).
+  /// @param on_patch   called with a const Patch&
+  /// @param on_square  called with a SurfaceSquare that is no patch
+  template <class BoundsOf, class Limit, class OnPatch, class OnSquare>
+  void traverse(const BoundsOf& bounds, const Limit& limit, const OnPatch& on_patch,
+                const OnSquare& on_square) const {
+    boxes_.traverse(bounds, limit, [&](std::int32_t item) {
+      const auto i = static_cast<std::size_t>(item);
+      if (i < patches_.size()) return on_patch(patches_[i]);
+      const SurfaceSquare& square = rest_[i - patches_.size()];
+      if (square.controls.rows() > 0) return on_square(square);
+      on_square(squares_.root(square.place.face, square.place.corner));
+    });
+  }
+
  private:
-  std::vector<Item> items_;
+  struct Quadrant {
+    FaceId face;
+    int corner;
+  };
+  static std::vector<Quadrant> quadrants(const LimitBasis& basis, std::span<const FaceId> faces);
+  [[nodiscard]] std::vector<SurfaceSquare> sort_out(std::vector<SurfaceSquare> squares);
+  void add_roots();
+  void refine_rest();
+  void build_boxes();
+
+  std::vector<Quadrant> quadrants_;
   int exponent_;
   std::vector<Vec3> points_;
   SurfaceSquares squares_;
+  std::vector<Patch> patches_;
+  std::vector<SurfaceSquare> rest_;  // a root without controls is gathered when it is visited
   BoxTree boxes_;
   Vec3 centre_ = Vec3::Zero();
   double size_ = 0;
