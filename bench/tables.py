@@ -90,7 +90,10 @@ def rows_of(cases, models, results):
         if case.table in ('refine', 'refine used') and 'fill 1' in limits:
             add_memory(row, ours, limits)
         if case.table == 'limit':
-            row['set_up'] = median(ours, 'cpu_seconds_build')
+            row['set_up'] = [median(ours, 'cpu_seconds_first_point'),
+                             median(ours, 'cpu_seconds_build')]
+            row['set_up'] += [median(results[command, path], 'cpu_seconds_build')
+                              for command in case.theirs.values()]
         rows.append(judged(row, case.target))
     return rows
 
@@ -155,9 +158,11 @@ def set_up_section(rows):
             first.setdefault(r['name'].split(',')[0], r['set_up'])
     if not first:
         return ''
-    lines = [[name, show(s), '≤ 5 ms' if name == 'rook' else '–'] for name, s in first.items()]
-    return ('\nLimit surface: set-up and a first point on every face\n\n'
-            + table(['model', 'time', 'target'], lines) + '\n')
+    lines = [[name, show(s[0]), '≤ 5 ms' if name == 'rook' else '–', show(s[1])]
+             + [show(t) for t in s[2:]] + ['–'] * (4 - len(s)) for name, s in first.items()]
+    return ('\nLimit surface: set-up\n\n'
+            + table(['model', 'limes, to the first point', 'target', 'limes, to a point on every face',
+                     'OpenSubdiv patches', 'OpenSubdiv Bfr'], lines) + '\n')
 
 
 def limits_section(limits):
