@@ -24,12 +24,13 @@ MeshSize refined_size(const MeshSize& s, const Scheme& scheme) {
 
 namespace {
 
-// Bytes at the peak per corner and vertex of the finest mesh: measured on a refined cube with 0.4
-// and 1.6 million faces (193 bytes per face, VTU 243, limit points 274), a tenth added.
-constexpr double bytes_per_corner = 30;
-constexpr double bytes_per_vertex = 95;
-constexpr double vtu_bytes_per_corner = 14;
-constexpr double limit_bytes_per_corner = 24;
+// Bytes at the peak per corner and vertex of the finest mesh, enough for what `limes refine --json`
+// reports: per face 47 for the cube with 1.6 million faces, 76 by the general rules (rook, linear,
+// 0.8 million faces), 47 for loop, 238 into VTU, 302 with limit points (cube).
+constexpr double bytes_per_corner = 12;
+constexpr double bytes_per_vertex = 40;
+constexpr double vtu_bytes_per_corner = 44;
+constexpr double limit_bytes_per_corner = 56;
 constexpr double bytes_of_program = 8e6;
 
 double bytes_needed(const MeshSize& size, const RefinementExtras& extras) {

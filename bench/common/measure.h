@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -120,6 +121,18 @@ class Args {
   std::vector<std::string> keys_, values_;
   mutable std::vector<bool> read_;
 };
+
+// What main() does: the exit code is 0, or 1 after a message if something is thrown.
+template <class Body>
+int run_program(const char* name, int argc, char** argv, const Body& body) {
+  try {
+    body(Args(argc, argv));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
+  }
+}
 
 // Order-independent checksum of a point set, so that runs can be compared.
 struct Centroid {

@@ -140,10 +140,6 @@ void run(const Args& args) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  run(Args(argc, argv));
-  return 0;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "limes_instructions: %s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return run_program("limes_instructions", argc, argv, run);
 }

@@ -67,10 +67,6 @@ void run(const Args& args) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  run(Args(argc, argv));
-  return 0;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "limes_update: %s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return run_program("limes_update", argc, argv, run);
 }

@@ -115,7 +115,7 @@ void evaluate_batch(const PatchSurfaces<float>& surfaces, const std::vector<Loca
 }
 
 template <typename Real>
-int run(const Args& args, const Mesh& mesh) {
+void run(const Args& args, const Mesh& mesh) {
   const std::string scheme = args.get("scheme", "catmull-clark");
   const std::string method = args.get("method", "patch"), order = args.get("order", "random");
   const int derivatives = args.get("derivatives", 1), threads = args.get("threads", 1);
@@ -179,17 +179,16 @@ int run(const Args& args, const Mesh& mesh) {
   line.add("checksum", result.centroid.checksum());
   args.require_all_read();
   line.print();
-  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  Args args(argc, argv);
-  Mesh mesh = read_mesh(args.get("in", "shape:torus:64:32"));
-  return args.get("precision", "double") == "double" ? run<double>(args, mesh)
-                                                     : run<float>(args, mesh);
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "osd_evaluate: %s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return run_program("osd_evaluate", argc, argv, [](const Args& args) {
+    const Mesh mesh = read_mesh(args.get("in", "shape:torus:64:32"));
+    if (args.get("precision", "double") == "double")
+      run<double>(args, mesh);
+    else
+      run<float>(args, mesh);
+  });
 }

@@ -18,7 +18,7 @@
 using namespace bench;
 
 template <typename Real>
-int run(const Args& args, const Mesh& mesh) {
+void run(const Args& args, const Mesh& mesh) {
   const std::string scheme = args.get("scheme", "catmull-clark");
   const int levels = args.get("levels", 3), repeats = args.get("repeats", 5);
   const int threads = sizeof(Real) == 8 ? 1 : args.get("threads", 1);
@@ -102,15 +102,14 @@ int run(const Args& args, const Mesh& mesh) {
   line.add("checksum", centroid.checksum());
   args.require_all_read();
   line.print();
-  return 0;
 }
 
-int main(int argc, char** argv) try {
-  Args args(argc, argv);
-  Mesh mesh = read_mesh(args.get("in", "shape:cube"));
-  return args.get("precision", "float") == "double" ? run<double>(args, mesh)
-                                                    : run<float>(args, mesh);
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "osd_stencil: %s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return run_program("osd_stencil", argc, argv, [](const Args& args) {
+    const Mesh mesh = read_mesh(args.get("in", "shape:cube"));
+    if (args.get("precision", "float") == "double")
+      run<double>(args, mesh);
+    else
+      run<float>(args, mesh);
+  });
 }

@@ -16,6 +16,7 @@
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
+#include "subdiv/fits.h"
 
 // What every scheme must do on every shape.
 
@@ -65,11 +66,6 @@ std::vector<Shape> zoo() {
   for (Shape& s : shapes)
     s.mesh = bumpy(std::move(s.mesh));
   return shapes;
-}
-
-bool fits(const Scheme& scheme, const Mesh& mesh) {
-  if (scheme.faces == FaceKind::polygons) return true;
-  return mesh.topology.uniform_face_size() == (scheme.faces == FaceKind::quads ? 4 : 3);
 }
 
 /// One step from a mesh, with what it refers to.

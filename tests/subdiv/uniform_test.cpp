@@ -14,6 +14,7 @@
 #include "limes/io/io.h"
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/schemes.h"
+#include "subdiv/fits.h"
 
 // Uniform refinement against one general step after another: the same numbers, the same bits.
 
@@ -43,10 +44,6 @@ Refined refined_step_by_step(const Mesh& mesh, const Features& features, const S
 
 bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
-}
-
-bool fits(const Scheme& scheme, const Mesh& mesh) {
-  return scheme.faces == FaceKind::polygons || mesh.topology.uniform_face_size() == 3;
 }
 
 /// As many levels as leave a mesh that is quickly refined, at most one more than grids can hold.

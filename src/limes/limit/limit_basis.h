@@ -32,7 +32,7 @@ class LimitBasis {
   static constexpr int max_depth = 200;
 
   /// Keeps a copy of the topology and features.
-  /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh
+  /// @throws InputError if the scheme has no exact limit or does not fit the mesh
   LimitBasis(Topology topology, Features features, const Scheme& scheme);
   LimitBasis(const LimitBasis&) = delete;
   LimitBasis& operator=(const LimitBasis&) = delete;

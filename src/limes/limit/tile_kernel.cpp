@@ -3,40 +3,13 @@
 #include <array>
 #include <cstddef>
 
-// Vectors of the compiler's own kind (GCC, clang), which it maps to what the machine has: two
-// doubles on every x86-64, ARM or WebAssembly machine, four where a processor says at run time that
-// it has AVX2. Without fused operations both give the same bits.
-
-#define LIMES_INLINE inline __attribute__((always_inline))
+#include "limes/core/avx2.h"
 
 namespace limes {
 namespace {
 
-namespace two {
-#define LIMES_LANES 2
-#include "limes/limit/tile_kernel_body.h"
-#undef LIMES_LANES
-}  // namespace two
-
-#if defined(__x86_64__) && defined(__GNUC__)
-#define LIMES_WITH_AVX2
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
-namespace four {
-#define LIMES_LANES 4
-#include "limes/limit/tile_kernel_body.h"
-#undef LIMES_LANES
-}  // namespace four
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#endif
+#define LIMES_KERNEL_BODY "limes/limit/tile_kernel_body.h"
+#include "limes/core/instruction_sets.h"
 
 using Kernel = void (*)(const TilePoint*, std::size_t, const TileValues&);
 
@@ -46,8 +19,7 @@ constexpr Kernels kernels_two{two::evaluate<0>, two::evaluate<1>, two::evaluate<
 
 Kernels best_kernels() {
 #ifdef LIMES_WITH_AVX2
-  if (__builtin_cpu_supports("avx2"))
-    return {four::evaluate<0>, four::evaluate<1>, four::evaluate<2>};
+  if (has_avx2()) return {four::evaluate<0>, four::evaluate<1>, four::evaluate<2>};
 #endif
   return kernels_two;
 }

@@ -36,7 +36,7 @@ class SubdivisionSpace {
   /// @param mesh      control mesh; hole faces shape their neighbours but are no elements
   /// @param boundary  rule of the geometry, not `none` (tag the faces at the boundary as holes)
   /// @param regions   region of every face, from 0; empty: one region
-  /// @throws InputError if the scheme has no polynomial limit or does not fit the mesh, or if all
+  /// @throws InputError if the scheme has no exact limit or does not fit the mesh, or if all
   ///         faces are holes
   SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary, std::vector<int> regions,
                    const SpaceOptions& options);

@@ -1,5 +1,5 @@
-// No include guard: quad_kernel.cpp includes this once for every instruction set, inside a namespace
-// and with LIMES_LANES doubles to a vector. The operations and their order are the same.
+// No include guard: compiled once for every instruction set, see limes/core/instruction_sets.h. The
+// operations and their order are the same.
 
 using Vector = double __attribute__((vector_size(LIMES_LANES * sizeof(double))));
 constexpr int num_parts = 4 / LIMES_LANES;

@@ -28,17 +28,6 @@ std::vector<FaceGroup> descendants(const Topology& control, const std::vector<Fa
   return all;
 }
 
-std::vector<bool> descendants(const Topology& control, const std::vector<bool>& marked, Split split,
-                              int levels) {
-  std::vector<bool> all;
-  for (int f = 0; f < control.num_faces(); ++f) {
-    const FaceRange d = descendants(control, FaceId(f), split, levels);
-    all.insert(all.end(), static_cast<std::size_t>(d.end - d.begin),
-               marked[static_cast<std::size_t>(f)]);
-  }
-  return all;
-}
-
 }  // namespace
 
 Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {

@@ -36,7 +36,8 @@ class RefinementStep {
   /// no face uses keeps its value.
   [[nodiscard]] SparseMatrix matrix() const;
 
-  /// Writes the row of one child vertex into a cleared stencil.
+  /// Writes the row of one child vertex into a cleared stencil; of a face only where the scheme gives
+  /// faces a new vertex.
   void face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const;
   void edge_stencil(NeighbourhoodWalk& walk, EdgeId e, Stencil& out) const;
   void vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const;

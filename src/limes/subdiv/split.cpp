@@ -92,6 +92,17 @@ FaceRange descendants(const Topology& control, FaceId f, Split split, int levels
   return {first << shift, (first + control.face_size(f)) << shift};
 }
 
+std::vector<bool> descendants(const Topology& control, const std::vector<bool>& marked, Split split,
+                              int levels) {
+  std::vector<bool> all;
+  for (int f = 0; f < control.num_faces(); ++f) {
+    const FaceRange d = descendants(control, FaceId(f), split, levels);
+    all.insert(all.end(), static_cast<std::size_t>(d.end - d.begin),
+               marked[static_cast<std::size_t>(f)]);
+  }
+  return all;
+}
+
 namespace {
 
 /// The child halfedges that run along the half of h at its start, and at its end.

@@ -51,6 +51,10 @@ struct FaceRange {
   std::int64_t begin, end;
 };
 [[nodiscard]] FaceRange descendants(const Topology& control, FaceId f, Split split, int levels);
+/// Marks of faces, one per face, handed down to their descendants.
+[[nodiscard]] std::vector<bool> descendants(const Topology& control,
+                                            const std::vector<bool>& marked, Split split,
+                                            int levels);
 
 /// The sharpness that is left one level down.
 [[nodiscard]] Features split_features(const Adjacency& parent, const Features& features,

@@ -31,7 +31,6 @@ StructuredRefinement::StructuredRefinement(const Adjacency& control, const Featu
   LIMES_ASSERT(applies(control.topology(), features, scheme));
   const Topology& topology = control.topology();
   const Sharpness sharpness(control, features);
-  lines_.push_back({});  // line 0: smooth
   quads_.resize(static_cast<std::size_t>(topology.num_faces()));
   number_runs();
   number_sides(sharpness);
@@ -139,18 +138,15 @@ void StructuredRefinement::place_ring(int ring) {
   }
 }
 
-std::uint16_t StructuredRefinement::line_of(float sharpness, bool boundary) {
-  if (!is_sharp(sharpness)) return 0;
-  const auto same = std::find_if(lines_.begin() + 1, lines_.end(), [&](const Line& l) {
-    return l.sharpness == sharpness && l.boundary == boundary;
-  });
-  if (same != lines_.end()) return static_cast<std::uint16_t>(same - lines_.begin());
-  Line line{sharpness, boundary, {}};
-  for (float s = sharpness; is_sharp(s) && static_cast<int>(line.rules.size()) < numbering_.depth();
+const StructuredRefinement::Line* StructuredRefinement::line_of(float sharpness, bool boundary) {
+  if (!is_sharp(sharpness)) return nullptr;
+  const auto [at, is_new] = lines_.try_emplace({sharpness, boundary});
+  Line& line = at->second;
+  if (!is_new) return &line;
+  for (float s = sharpness; is_sharp(s) && static_cast<int>(line.size()) < numbering_.depth();
        s = decayed(s))
-    line.rules.push_back(line_rules(*scheme_, s, boundary));
-  lines_.push_back(std::move(line));
-  return static_cast<std::uint16_t>(lines_.size() - 1);
+    line.push_back(line_rules(*scheme_, s, boundary));
+  return &line;
 }
 
 int StructuredRefinement::first_of_edge_run(FaceId f, int birth) const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "limes/mesh/adjacency.h"
@@ -55,27 +57,22 @@ class StructuredRefinement {
   [[nodiscard]] Features features() const;
 
  private:
+  using Line = std::vector<LineRules>;  // by step; none where no longer sharp
   struct Quad {
-    std::array<VertexId, 16> control;   // grid of one cell with its margin, row by row
-    std::array<int, 4> ring;            // of the corners, -1: regular
-    std::array<int, 4> ring_edge;       // number there of the side that starts at the corner
-    std::array<std::uint16_t, 4> line;  // rules of the sides, in lines_; 0: smooth
+    std::array<VertexId, 16> control;  // grid of one cell with its margin, row by row
+    std::array<int, 4> ring;           // of the corners, -1: regular
+    std::array<int, 4> ring_edge;      // number there of the side that starts at the corner
+    std::array<const Line*, 4> line;   // rules of the sides, or null: smooth
     OwnedSides owned;
     unsigned own_corners;  // regular corners that this quad writes
     int sides_before;      // sides owned by the quads before this one
   };
-  struct Line {
-    float sharpness;
-    bool boundary;
-    std::vector<LineRules> rules;  // by step; none where no longer sharp
-  };
-
   void number_runs();
   void number_sides(const Sharpness& sharpness);
   void gather_grid(FaceId f);
   void gather_side(FaceId f, int side, Quad& quad) const;
   void place_ring(int ring);
-  [[nodiscard]] std::uint16_t line_of(float sharpness, bool boundary);
+  [[nodiscard]] const Line* line_of(float sharpness, bool boundary);
 
   [[nodiscard]] const Quad& quad(FaceId f) const {
     return quads_[static_cast<std::size_t>(f.value)];
@@ -101,7 +98,7 @@ class StructuredRefinement {
   QuadNumbering numbering_;
   CornerRings rings_;
   std::vector<Quad> quads_;
-  std::vector<Line> lines_;
+  std::map<std::pair<float, bool>, Line> lines_;    // by sharpness and whether on the boundary
   std::array<std::unique_ptr<QuadRuns>, 16> runs_;  // by OwnedSides; only those that occur
   std::array<int, QuadNumbering::max_depth + 1> first_edge_vertex_{};  // by birth
   std::array<int, QuadNumbering::max_depth + 1> first_face_vertex_{};

@@ -91,10 +91,10 @@ void StructuredRefinement::refine_quad(FaceId f, std::span<const Vec3> control,
 void StructuredRefinement::apply_lines(const Quad& q, int step, const QuadGrid& grid,
                                        QuadGrid& fine) const {
   for (int s = 0; s < 4; ++s) {
-    const auto& rules = lines_[q.line[static_cast<std::size_t>(s)]].rules;
-    if (static_cast<std::size_t>(step) > rules.size()) continue;
+    const Line* line = q.line[static_cast<std::size_t>(s)];
+    if (!line || static_cast<std::size_t>(step) > line->size()) continue;
     const QuadSide at(s, fine.cells());
-    along_line(rules[static_cast<std::size_t>(step - 1)], s, grid, [&](int t, const Point4& p) {
+    along_line((*line)[static_cast<std::size_t>(step - 1)], s, grid, [&](int t, const Point4& p) {
       const GridPoint node = at.node(t);
       fine.vertex(fine.vertex_index(node.i, node.j)) = p;
     });
@@ -160,10 +160,11 @@ void StructuredRefinement::write_lines(FaceId f, const QuadGrid& grid, std::span
   const Quad& q = quad(f);
   const int depth = numbering_.depth();
   for (int s = 0; s < 4; ++s) {
-    const auto& rules = lines_[q.line[static_cast<std::size_t>(s)]].rules;
-    if (((q.owned >> s) & 1U) == 0 || static_cast<std::size_t>(depth) > rules.size()) continue;
+    const Line* line = q.line[static_cast<std::size_t>(s)];
+    if (((q.owned >> s) & 1U) == 0 || !line || static_cast<std::size_t>(depth) > line->size())
+      continue;
     along_line(
-        rules[static_cast<std::size_t>(depth - 1)], s, grid, [&](int t, const Point4& point) {
+        (*line)[static_cast<std::size_t>(depth - 1)], s, grid, [&](int t, const Point4& point) {
           const SideStep at = side_step(t, depth);
           const int v = first_of_edge_run(f, at.birth) + runs(q).side_rank(at.birth, s, at.step);
           point.store(fine[static_cast<std::size_t>(v)]);

@@ -16,7 +16,7 @@ namespace limes {
 /// if it applies. Which way a vertex was made shows neither in its number nor in its bits.
 ///
 /// Holds what depends on the topology, so that positions() may be called again for other control
-/// points: no table is built, and no memory taken.
+/// points. No table of weights is built: the rules run again.
 class UniformRefinement {
  public:
   /// Keeps references to the adjacency and the scheme.
