@@ -170,6 +170,24 @@ TEST(UniformRefinement, HasTheBitsOfSingleStepsWithAnySharpness) {
   }
 }
 
+/// More than 65,536 of them, as painted weights give.
+TEST(UniformRefinement, TakesADifferentSharpnessOnEveryEdge) {
+  Mesh mesh = shapes::grid(190, 190);
+  const Adjacency adjacency(mesh.topology);
+  for (int e = 0; e < adjacency.num_edges(); ++e) {
+    const HalfedgeId h = adjacency.halfedge(EdgeId(e));
+    mesh.tags.creases.push_back(
+        {adjacency.from(h), adjacency.to(h), 0.5F + 1e-5F * static_cast<float>(e)});
+  }
+  const Features features = resolve_tags(adjacency, mesh.tags, BoundaryRule::edges);
+  const Scheme& scheme = find_scheme("catmull-clark");
+  ASSERT_TRUE(StructuredRefinement::applies(mesh.topology, features, scheme));
+  ASSERT_GT(adjacency.num_edges(), 1 << 16);
+  UniformRefinement refinement(adjacency, features, scheme, 2);
+  EXPECT_TRUE(same_bits(positions(refinement, mesh.points.span()),
+                        refined_step_by_step(mesh, features, scheme, 2).points));
+}
+
 TEST(UniformRefinement, KeepsVerticesWithoutFaces) {
   Mesh mesh = shapes::cube();
   const Topology& cube = mesh.topology;
