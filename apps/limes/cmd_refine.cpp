@@ -45,12 +45,14 @@ void RefineCommand::operator()() const {
     const Progress progress(fmt::format("refining {}", mesh.file.string()));
     const RefineOptions options{num_levels, choice.boundary_for(coarse)};
     if (limit)
-      fine = limit_mesh(coarse, *choice.scheme, options);
+      fine = naming_file(mesh.file, [&] { return limit_mesh(coarse, *choice.scheme, options); });
+    else if (num_levels > 0)
+      fine = naming_file(mesh.file, [&] { return refine(coarse, *choice.scheme, options); });
     else
-      fine = num_levels > 0 ? refine(coarse, *choice.scheme, options) : std::move(coarse);
+      fine = std::move(coarse);
   }
   if (fine.topology.num_faces() == 0)
-    throw InputError("{}: every face touches the boundary; with boundary rule none no face is left",
+    throw InputError("{}: no face is left, for all touch the boundary",
                      mesh.file.string());
   check_interrupt();
   save_mesh(output, fine);

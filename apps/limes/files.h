@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limes/core/error.h"
 #include "options.h"
 
 namespace limes::app {
@@ -27,6 +28,16 @@ void check_output(const std::filesystem::path& file, const RunOptions& run,
 void check_mesh_output(const std::filesystem::path& file, const RunOptions& run);
 /// The same for a folder, which is made if it does not exist.
 void check_output_folder(const std::filesystem::path& folder);
+
+/// Does work on a mesh that came from a file, and names the file in what is wrong with the mesh.
+template <class Work>
+auto naming_file(const std::filesystem::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", file.string(), error.what());
+  }
+}
 
 /// All bytes of a file. @throws InputError
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 namespace limes::app {
 
 Mesh limit_mesh(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+  if (scheme.interpolatory) return refine(mesh, scheme, options);
   // With BoundaryRule::none the faces at the boundary shape the limit of the others, so they are
   // dropped last.
   const bool drop = options.boundary == BoundaryRule::none;

@@ -46,7 +46,7 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
       ->group(scheme_group);
   command
       .add_option("--boundary", options.boundary,
-                  "catmull-clark: what happens at the boundary [the file's tag, else edges]\n"
+                  "catmull-clark, loop: what happens at the boundary [the file's tag, else edges]\n"
                   "  none               boundary faces shape the others and are dropped\n"
                   "  edges              the boundary is a smooth curve\n"
                   "  edges-and-corners  and vertices with one face stay where they are")
@@ -59,7 +59,7 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
 }
 
 bool has_boundary_rules(const Scheme& scheme) {
-  return scheme.reach > 0;
+  return scheme.boundary == Boundary::creases;
 }
 
 BoundaryRule SchemeChoice::boundary_for(const Mesh& mesh) const {

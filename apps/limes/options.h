@@ -57,7 +57,7 @@ struct SchemeChoice {
 /// @throws UsageError for unknown names and for options that the scheme does not have
 [[nodiscard]] SchemeChoice choose_scheme(const SchemeOptions& options);
 
-/// Whether the scheme has boundary rules: its limit depends on more than the face itself.
+/// Whether there is a choice of boundary rules.
 [[nodiscard]] bool has_boundary_rules(const Scheme& scheme);
 
 /// A decimal whole number, at least `least`.

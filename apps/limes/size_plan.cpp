@@ -17,8 +17,19 @@ MeshSize size_of(const Topology& topology) {
 }
 
 MeshSize refined_size(const MeshSize& s, const Scheme& scheme) {
-  if (scheme.split == Split::triangles)
-    return {s.vertices + s.edges, 2 * s.edges + 3 * s.faces, 4 * s.faces, 12 * s.faces};
+  // Exact on closed surfaces, not too small on others.
+  switch (scheme.split) {
+    case Split::triangles:
+      return {s.vertices + s.edges, 2 * s.edges + 3 * s.faces, 4 * s.faces, 12 * s.faces};
+    case Split::dual:
+      return {s.corners, 2 * s.corners, s.faces + s.edges + s.vertices, 4 * s.corners};
+    case Split::mid_edge:
+      return {s.edges, s.corners, s.faces + s.vertices, 2 * s.corners};
+    case Split::sqrt3:
+      return {s.vertices + s.faces + s.edges, s.edges + 3 * s.corners, s.corners, 3 * s.corners};
+    case Split::quads:
+      break;
+  }
   return {s.vertices + s.edges + s.faces, 2 * s.edges + s.corners, s.corners, 4 * s.corners};
 }
 

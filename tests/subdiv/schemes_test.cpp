@@ -16,57 +16,12 @@
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
-#include "subdiv/fits.h"
+#include "subdiv/zoo.h"
 
 // What every scheme must do on every shape.
 
 namespace limes {
 namespace {
-
-struct Shape {
-  std::string name;
-  Mesh mesh;
-};
-
-Mesh bumpy(Mesh mesh) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> shift(-0.1, 0.1);
-  for (Vec3& x : mesh.points)
-    x += Vec3(shift(random), shift(random), shift(random));
-  return mesh;
-}
-
-/// A cube with everything that tags can say.
-Mesh tagged_cube(CreaseMethod method) {
-  Mesh mesh = bumpy(shapes::cube());
-  mesh.tags.creases = {{VertexId(0), VertexId(1), 2.3F},
-                       {VertexId(1), VertexId(3), 0.4F},
-                       {VertexId(3), VertexId(2), 10.0F}};
-  mesh.tags.corners = {{VertexId(5), 1.7F}, {VertexId(6), 10.0F}};
-  mesh.tags.crease_method = method;
-  return mesh;
-}
-
-std::vector<Shape> zoo() {
-  std::vector<Shape> shapes{{"cube", shapes::cube()},
-                            {"tetrahedron", shapes::tetrahedron()},
-                            {"icosahedron", shapes::icosahedron()},
-                            {"torus", shapes::torus(5, 4)},
-                            {"grid", shapes::grid(4, 3)},
-                            {"strip", shapes::grid(6, 1)},
-                            {"grid_with_hole", shapes::grid_with_hole(5)},
-                            {"cylinder", shapes::cylinder(5, 3)},
-                            {"tagged_cube", tagged_cube(CreaseMethod::uniform)},
-                            {"chaikin_cube", tagged_cube(CreaseMethod::chaikin)}};
-  for (const int n : {3, 5, 6, 8, 17}) {
-    shapes.push_back({"disk" + std::to_string(n), shapes::disk(n, 2)});
-    shapes.push_back({"polygon" + std::to_string(n), shapes::polygon(n)});
-    shapes.push_back({"half_disk" + std::to_string(n), shapes::half_disk(n, 2)});
-  }
-  for (Shape& s : shapes)
-    s.mesh = bumpy(std::move(s.mesh));
-  return shapes;
-}
 
 /// One step from a mesh, with what it refers to.
 struct Step {
@@ -156,6 +111,7 @@ TEST_P(EveryScheme, MatrixAgreesWithApply) {
 
 TEST_P(EveryScheme, KeepsTheEulerNumber) {
   on_every_shape([&](const Mesh& mesh) {
+    if (scheme().boundary == Boundary::shrinks && !is_closed(mesh)) return;
     const auto euler = [](const Topology& t) {
       return t.num_vertices() - Adjacency(t).num_edges() + t.num_faces();
     };
@@ -164,9 +120,11 @@ TEST_P(EveryScheme, KeepsTheEulerNumber) {
   });
 }
 
-/// Tags of a refined mesh say all that is left of the sharpness: two steps are one step twice.
+/// Tags of a refined mesh say all that is left of the sharpness: two steps are one step twice. Not
+/// at the boundary of sqrt3, where every second step is another.
 TEST_P(EveryScheme, TwoLevelsAreOneLevelTwice) {
   on_every_shape([&](const Mesh& mesh) {
+    if (scheme().split == Split::sqrt3 && !is_closed(mesh)) return;
     const Mesh once = refine(mesh, scheme(), {.levels = 1});
     const Mesh twice = refine(once, scheme(), {.levels = 1});
     const Mesh both = refine(mesh, scheme(), {.levels = 2});

@@ -152,8 +152,7 @@ Ring gather_ring(const Adjacency& adjacency, const Features& features, const Sha
   if (!features.edges.empty())
     ring.features.edges = local_edges(adjacency, sharpness, ring, walk.halfedges(), num_complete);
   ring.features.vertices = local_vertices(sharpness, ring, num_complete);
-  ring.features.crease_method = features.crease_method;
-  ring.features.smooth_triangles = features.smooth_triangles;
+  static_cast<RuleOptions&>(ring.features) = features;
   return ring;
 }
 

@@ -18,14 +18,7 @@ class ChildRows {
 
   /// Appends row `row` with the weights of a child vertex of the quadrisection.
   void append(int row, VertexId child, std::vector<Triplet>& out) {
-    const int num_vertices = adjacency_.topology().num_vertices();
-    const int num_edges = adjacency_.num_edges();
-    if (child.value < num_vertices)
-      step_.vertex_stencil(walk_, child, stencil_);
-    else if (child.value < num_vertices + num_edges)
-      step_.edge_stencil(walk_, EdgeId(child.value - num_vertices), stencil_);
-    else
-      step_.face_stencil(walk_, FaceId(child.value - num_vertices - num_edges), stencil_);
+    step_.stencil(walk_, child, stencil_);
     append_stencil_row(row, stencil_, adjacency_.topology(), out);
   }
 

@@ -7,7 +7,7 @@ namespace limes {
 // Catmull-Clark subdivision [catmull_clark_1978] with the creases, corners and boundaries of
 // [derose_1998] as OpenSubdiv defines them.
 
-void catmull_clark_face(const FaceNeighbourhood& n, Stencil& out) {
+void catmull_clark_face(const FaceNeighbourhood& n, const RuleOptions&, Stencil& out) {
   out.add(1.0 / static_cast<double>(n.corners.size()), n.corners);
 }
 
@@ -33,19 +33,19 @@ void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
 
 }  // namespace
 
-void catmull_clark_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out) {
+void catmull_clark_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out) {
   if (is_sharp(n.sharpness) && n.child_sharp) {
     out.add(0.5, n.ends);
     return;
   }
   // Smooth, or in its last semi-sharp step: sharpness blends the two rules.
   const double sharp = static_cast<double>(n.sharpness);
-  const double face = edge_face_weight(n, features.smooth_triangles);
+  const double face = edge_face_weight(n, options.smooth_triangles);
   out.add(sharp * 0.5 + (1.0 - sharp) * (0.5 - face), n.ends);
   out.add((1.0 - sharp) * face, n.faces);
 }
 
-void catmull_clark_vertex(const VertexNeighbourhood& v, Stencil& out) {
+void catmull_clark_vertex(const VertexNeighbourhood& v, const RuleOptions&, Stencil& out) {
   add_vertex_rule(v, smooth_vertex, out);
 }
 

@@ -107,7 +107,7 @@ void CornerRings::advance(const Ring& ring, Workspace& w) const {
     const std::array<VertexId, 4> corners{VertexId(0), VertexId(1 + i), VertexId(1 + edges + i),
                                           VertexId(1 + (i + 1) % edges)};
     w.stencil.clear();
-    scheme_->face_rule({FaceId(i), corners}, w.stencil);
+    scheme_->face_rule({FaceId(i), corners, {}}, {}, w.stencil);
     w.fine[slot(1 + edges + i)] = w.value();
   }
   for (int i = 0; i < faces; ++i)
@@ -125,13 +125,13 @@ void CornerRings::advance(const Ring& ring, Workspace& w) const {
                         .opposite = {},
                         .sharpness = s,
                         .child_sharp = is_sharp(decayed(s))},
-                       Features{}, w.stencil);
+                       {}, w.stencil);
     w.fine[slot(1 + k)] = w.value();
   }
   w.stencil.clear();
   scheme_->vertex_rule({VertexId(0), w.neighbours, w.face_ids, w.sharpness, decayed(w.sharpness),
                         w.edge_sharpness, w.child_edge_sharpness},
-                       w.stencil);
+                       {}, w.stencil);
   w.fine[0] = w.value();
   std::swap(w.vertices, w.fine);
   std::swap(w.edge_sharpness, w.child_edge_sharpness);

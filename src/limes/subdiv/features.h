@@ -20,13 +20,28 @@ struct SharpVertex {
   friend bool operator==(const SharpVertex&, const SharpVertex&) = default;
 };
 
-/// What the rules of a scheme need besides the topology: tags resolved to its edges and vertices.
-/// Boundary edges are always infinitely sharp and not listed.
-struct Features {
-  std::vector<SharpEdge> edges;       ///< ascending by halfedge
-  std::vector<SharpVertex> vertices;  ///< ascending
+/// What the rules depend on besides the neighbourhood: the same everywhere on a mesh.
+struct RuleOptions {
   CreaseMethod crease_method = CreaseMethod::uniform;
   bool smooth_triangles = false;
+  double tension = 1.0;  ///< of interpolatory schemes, 1: cubic precision
+  int level = 0;         ///< steps made since the control mesh
+  friend bool operator==(const RuleOptions&, const RuleOptions&) = default;
+};
+
+/// What the rules of a scheme need besides the topology: tags resolved to its edges and vertices.
+/// Boundary edges are always infinitely sharp and not listed.
+struct Features : RuleOptions {
+  std::vector<SharpEdge> edges;       ///< ascending by halfedge
+  std::vector<SharpVertex> vertices;  ///< ascending
+
+  /// The same options some steps down; no edges and vertices.
+  [[nodiscard]] Features without_tags(int steps) const {
+    Features next;
+    static_cast<RuleOptions&>(next) = *this;
+    next.level += steps;
+    return next;
+  }
 };
 
 /// Resolves a mesh's tags. With edges_and_corners, boundary vertices with one face become corners.

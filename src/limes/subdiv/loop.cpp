@@ -30,7 +30,7 @@ void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
 
 }  // namespace
 
-void loop_edge(const EdgeNeighbourhood& n, const Features&, Stencil& out) {
+void loop_edge(const EdgeNeighbourhood& n, const RuleOptions&, Stencil& out) {
   if (is_sharp(n.sharpness) && n.child_sharp) {
     out.add(0.5, n.ends);
     return;
@@ -40,7 +40,7 @@ void loop_edge(const EdgeNeighbourhood& n, const Features&, Stencil& out) {
   out.add((1.0 - sharp) * 0.125, n.opposite);
 }
 
-void loop_vertex(const VertexNeighbourhood& v, Stencil& out) {
+void loop_vertex(const VertexNeighbourhood& v, const RuleOptions&, Stencil& out) {
   add_vertex_rule(v, smooth_vertex, out);
 }
 

@@ -74,4 +74,48 @@ EdgeNeighbourhood NeighbourhoodWalk::edge(EdgeId e) {
   return n;
 }
 
+void NeighbourhoodWalk::collect_spokes(std::size_t i, HalfedgeId h) {
+  const Adjacency& a = *adjacency_;
+  const VertexId centre = a.from(h);
+  if (spoke_ids_.size() <= i) {
+    spoke_ids_.resize(i + 1);
+    spokes_.resize(i + 1);
+  }
+  SpokeIds& ids = spoke_ids_[i];
+  ids.ends.clear();
+  ids.diagonals.clear();
+  const HalfedgeId start = a.ring_start(centre);
+  int first = 0;
+  for (HalfedgeId out = start; out.valid();) {
+    if (out == h) first = static_cast<int>(ids.ends.size());
+    ids.ends.push_back(a.to(out));
+    ids.diagonals.push_back(a.to(a.next(out)));
+    const HalfedgeId in = a.prev(out);
+    out = a.twin(in);
+    if (!out.valid()) ids.ends.push_back(a.from(in));
+    if (out == start) break;
+  }
+  spokes_[i] = {centre, a.is_boundary(centre), first, ids.ends, ids.diagonals};
+}
+
+FaceNeighbourhood NeighbourhoodWalk::wide_face(FaceId f) {
+  FaceNeighbourhood n = face(f);
+  for (std::size_t i = 0; i < n.corners.size(); ++i)
+    collect_spokes(i, adjacency_->topology().halfedge(f, static_cast<int>(i)));
+  n.rings = std::span<const Spokes>(spokes_).first(n.corners.size());
+  return n;
+}
+
+EdgeNeighbourhood NeighbourhoodWalk::wide_edge(EdgeId e) {
+  const HalfedgeId h = adjacency_->halfedge(e);
+  EdgeNeighbourhood n = edge(e);
+  collect_spokes(0, h);
+  // The edge starts at its other end with the twin; on the boundary it is the last one there.
+  const HalfedgeId twin = adjacency_->twin(h);
+  collect_spokes(1, twin.valid() ? twin : adjacency_->next(h));
+  if (!twin.valid()) spokes_[1].first = spokes_[1].size() - 1;
+  n.rings = {spokes_[0], spokes_[1]};
+  return n;
+}
+
 }  // namespace limes

@@ -8,10 +8,32 @@
 
 namespace limes {
 
+/// The ring of a vertex as the wide rules of faces and edges see it, counter-clockwise; on the
+/// boundary from its first edge to its last.
+struct Spokes {
+  VertexId centre;
+  bool boundary;
+  int first;                            ///< the edge that leads to the asking edge or face
+  std::span<const VertexId> ends;       ///< other end of each edge
+  std::span<const VertexId> diagonals;  ///< of the face after each edge: the corner after the next,
+                                        ///< which in a quad is the one opposite the centre
+
+  [[nodiscard]] int size() const { return static_cast<int>(ends.size()); }
+  /// The edge k places after the first, counted around. Precondition: not on the boundary.
+  [[nodiscard]] VertexId end(int k) const { return ends[turned(k)]; }
+  [[nodiscard]] VertexId diagonal(int k) const { return diagonals[turned(k)]; }
+
+ private:
+  [[nodiscard]] std::size_t turned(int k) const {
+    return static_cast<std::size_t>((((first + k) % size()) + size()) % size());
+  }
+};
+
 /// What a rule sees of a face.
 struct FaceNeighbourhood {
   FaceId face;
   std::span<const VertexId> corners;
+  std::span<const Spokes> rings;  ///< of the corners, from the side after it; wide schemes only
 };
 
 /// What a rule sees of an edge.
@@ -22,7 +44,9 @@ struct EdgeNeighbourhood {
   int num_faces;
   std::array<VertexId, 2> opposite;  ///< third corners of the faces that are triangles
   float sharpness;
-  bool child_sharp;  ///< both halves are still sharp on the next level
+  bool child_sharp;                  ///< both halves are still sharp on the next level
+  int part = 0;                      ///< which of several new vertices, see ChildVertex
+  std::array<Spokes, 2> rings = {};  ///< of the ends, from this edge; wide schemes only
 };
 
 /// What a rule sees of a vertex: its ring, counter-clockwise. On the boundary the ring starts with
@@ -47,9 +71,12 @@ class NeighbourhoodWalk {
       : adjacency_(&adjacency), features_(&features), sharpness_(&sharpness) {}
 
   [[nodiscard]] FaceNeighbourhood face(FaceId f) const {
-    return {f, adjacency_->topology().face(f)};
+    return {f, adjacency_->topology().face(f), {}};
   }
   [[nodiscard]] EdgeNeighbourhood edge(EdgeId e);
+  /// The same with rings.
+  [[nodiscard]] FaceNeighbourhood wide_face(FaceId f);
+  [[nodiscard]] EdgeNeighbourhood wide_edge(EdgeId e);
   /// Precondition: v has a face.
   [[nodiscard]] VertexNeighbourhood vertex(VertexId v);
 
@@ -59,6 +86,8 @@ class NeighbourhoodWalk {
  private:
   void collect_ring(VertexId v);
   void collect_child_sharpness();
+  /// Ring number i of a wide neighbourhood: that of the start of h, from h on.
+  void collect_spokes(std::size_t i, HalfedgeId h);
 
   const Adjacency* adjacency_;
   const Features* features_;
@@ -68,6 +97,11 @@ class NeighbourhoodWalk {
   std::vector<EdgeId> edges_;
   std::vector<float> edge_sharpness_;
   std::vector<float> child_edge_sharpness_;
+  struct SpokeIds {
+    std::vector<VertexId> ends, diagonals;
+  };
+  std::vector<SpokeIds> spoke_ids_;
+  std::vector<Spokes> spokes_;
 };
 
 }  // namespace limes

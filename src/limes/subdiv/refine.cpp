@@ -1,5 +1,7 @@
 #include "limes/subdiv/refine.h"
 
+#include <algorithm>
+
 #include "limes/core/memory.h"
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/drop_faces.h"
@@ -28,9 +30,8 @@ std::vector<FaceGroup> descendants(const Topology& control, const std::vector<Fa
   return all;
 }
 
-}  // namespace
-
-Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+/// All steps at once; children are found by arithmetic.
+Mesh refine_by_quadrisection(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   const Adjacency adjacency(mesh.topology);
   Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
   Mesh fine;
@@ -52,6 +53,64 @@ Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options
   if (options.boundary != BoundaryRule::none || scheme.reach == 0) return fine;
   const std::vector<bool> dropped = unsupported_faces(adjacency, mesh.tags);
   return without_faces(fine, descendants(mesh.topology, dropped, scheme.split, options.levels));
+}
+
+/// Faces of a refined mesh by the face they come from.
+class ChildLists {
+ public:
+  ChildLists(const std::vector<FaceId>& parents, int num_parents)
+      : children_(static_cast<std::size_t>(num_parents)) {
+    for (std::size_t child = 0; child < parents.size(); ++child)
+      children_[static_cast<std::size_t>(parents[child].value)].push_back(
+          FaceId(static_cast<std::int64_t>(child)));
+  }
+  [[nodiscard]] std::vector<FaceId> of(const std::vector<FaceId>& faces) const {
+    std::vector<FaceId> all;
+    for (const FaceId f : faces) {
+      const std::vector<FaceId>& own = children_[static_cast<std::size_t>(f.value)];
+      all.insert(all.end(), own.begin(), own.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  [[nodiscard]] std::vector<FaceGroup> of(const std::vector<FaceGroup>& groups) const {
+    std::vector<FaceGroup> all;
+    for (const FaceGroup& g : groups)
+      all.push_back({g.name, of(g.faces)});
+    return all;
+  }
+
+ private:
+  std::vector<std::vector<FaceId>> children_;
+};
+
+/// Step by step, for the other splits.
+Mesh refine_by_steps(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+  Mesh current = mesh;
+  Features features = resolve_tags(Adjacency(mesh.topology), mesh.tags, options.boundary);
+  for (int level = 0; level < options.levels; ++level) {
+    const Adjacency adjacency(current.topology, Adjacency::Check::edges);
+    const RefinementStep step(adjacency, features, scheme);
+    const ChildLists children(step.parent_faces(), current.topology.num_faces());
+    Mesh next;
+    next.points.resize(static_cast<std::size_t>(step.num_child_vertices()));
+    step.apply(current.points.span(), next.points.span());
+    next.tags.holes = children.of(current.tags.holes);
+    next.groups = children.of(current.groups);
+    next.parts = children.of(current.parts);
+    next.topology = step.child_topology();
+    features = step.child_features();
+    current = std::move(next);
+  }
+  current.tags.boundary = mesh.tags.boundary;
+  return current;
+}
+
+}  // namespace
+
+Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+  return is_quadrisection(scheme.split) ? refine_by_quadrisection(mesh, scheme, options)
+                                        : refine_by_steps(mesh, scheme, options);
 }
 
 }  // namespace limes

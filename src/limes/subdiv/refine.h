@@ -11,8 +11,10 @@ struct RefineOptions {
 };
 
 /// Uniform refinement of a mesh with its tags, groups and parts. With BoundaryRule::none the faces
-/// that touch the boundary shape the others and are then left out.
-/// @throws InputError for a mesh that cannot be refined (see mesh/defects.h)
+/// that touch the boundary shape the others and are then left out. Faces that a dual scheme makes
+/// across edges and around vertices belong where one of the faces there does.
+/// @throws InputError for a mesh that cannot be refined (see mesh/defects.h), or that the scheme does
+///         not fit
 [[nodiscard]] Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options);
 
 }  // namespace limes

@@ -20,6 +20,17 @@ void require_faces(const Topology& topology, const Scheme& scheme) {
                        topology.face_size(FaceId(f)), scheme.name, wanted);
 }
 
+void require_no_creases(const Adjacency& adjacency, const Features& features,
+                        const Scheme& scheme) {
+  for (const SharpEdge& e : features.edges)
+    throw InputError("the edge of vertices {} and {} is sharp; {} has no creases: remove the "
+                     "tag, or take catmull-clark or loop",
+                     adjacency.from(e.halfedge).value, adjacency.to(e.halfedge).value, scheme.name);
+  for (const SharpVertex& v : features.vertices)
+    throw InputError("vertex {} is sharp; {} has no corners: remove the tag, or take "
+                     "catmull-clark or loop", v.vertex.value, scheme.name);
+}
+
 }  // namespace
 
 void append_stencil_row(int row, const Stencil& stencil, const Topology& topology,
@@ -42,76 +53,106 @@ RefinementStep::RefinementStep(const Adjacency& parent, const Features& features
                                const Scheme& scheme)
     : parent_(&parent), features_(&features), scheme_(&scheme), sharpness_(parent, features) {
   require_faces(parent.topology(), scheme);
+  if (!scheme.creases) require_no_creases(parent, features, scheme);
+  if (!is_quadrisection(scheme.split)) split_ = explicit_split(parent, features, scheme.split);
 }
 
 int RefinementStep::num_child_vertices() const {
-  return static_cast<int>(num_split_vertices(*parent_, scheme_->split));
+  return split_ ? split_->topology.num_vertices()
+                : static_cast<int>(num_split_vertices(*parent_, scheme_->split));
 }
 
 int RefinementStep::num_child_faces() const {
-  return static_cast<int>(num_split_faces(parent_->topology(), scheme_->split));
+  return split_ ? split_->topology.num_faces()
+                : static_cast<int>(num_split_faces(parent_->topology(), scheme_->split));
 }
 
 Topology RefinementStep::child_topology() const {
-  return split_topology(*parent_, scheme_->split);
+  return split_ ? split_->topology : split_topology(*parent_, scheme_->split);
 }
 
 Features RefinementStep::child_features() const {
-  return split_features(*parent_, *features_, scheme_->split);
+  return split_ ? features_->without_tags(1) : split_features(*parent_, *features_, scheme_->split);
 }
 
-void RefinementStep::face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const {
-  out.clear();
-  scheme_->face_rule(walk.face(f), out);
+std::vector<FaceId> RefinementStep::parent_faces() const {
+  if (split_) return split_->parents;
+  std::vector<FaceId> parents(static_cast<std::size_t>(num_child_faces()));
+  for (int f = 0; f < parent_->topology().num_faces(); ++f) {
+    const FaceRange children = descendants(parent_->topology(), FaceId(f), scheme_->split, 1);
+    std::fill(parents.begin() + children.begin, parents.begin() + children.end, FaceId(f));
+  }
+  return parents;
 }
 
-void RefinementStep::edge_stencil(NeighbourhoodWalk& walk, EdgeId e, Stencil& out) const {
-  out.clear();
-  scheme_->edge_rule(walk.edge(e), *features_, out);
+ChildVertex RefinementStep::source(VertexId child) const {
+  using Kind = ChildVertex::Kind;
+  if (split_) return split_->vertices[static_cast<std::size_t>(child.value)];
+  const QuadrisectionIds ids = quadrisection_ids(*parent_);
+  if (child < ids.of_edge(EdgeId(0))) return {Kind::vertex, 0, child.value};
+  const int edge = child.value - ids.num_vertices;
+  if (edge < ids.num_edges) return {Kind::edge, 0, edge};
+  return {Kind::face, 0, edge - ids.num_edges};
 }
 
-void RefinementStep::vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const {
+VertexId RefinementStep::first_face_point() const {
+  return scheme_->split == Split::quads ? quadrisection_ids(*parent_).of_face(FaceId(0))
+                                        : VertexId(num_child_vertices());
+}
+
+void RefinementStep::stencil(NeighbourhoodWalk& walk, VertexId child, Stencil& out) const {
+  stencil(walk, source(child), out);
+}
+
+void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
+                             Stencil& out) const {
   out.clear();
-  if (parent_->ring_start(v).valid())
-    scheme_->vertex_rule(walk.vertex(v), out);
-  else
-    out.add(1.0, v);
+  switch (source.kind) {
+    case ChildVertex::Kind::vertex: {
+      const VertexId v(source.from);
+      if (!parent_->ring_start(v).valid()) return out.add(1.0, v);
+      return scheme_->vertex_rule(walk.vertex(v), *features_, out);
+    }
+    case ChildVertex::Kind::edge: {
+      const EdgeId e(source.from);
+      EdgeNeighbourhood n = scheme_->wide ? walk.wide_edge(e) : walk.edge(e);
+      n.part = source.part;
+      return scheme_->edge_rule(n, *features_, out);
+    }
+    case ChildVertex::Kind::face: {
+      const FaceId f(source.from);
+      return scheme_->face_rule(scheme_->wide ? walk.wide_face(f) : walk.face(f), *features_, out);
+    }
+    case ChildVertex::Kind::corner: {
+      const HalfedgeId h(source.from);
+      const FaceNeighbourhood n = walk.face(parent_->face(h));
+      return scheme_->corner_rule(n, parent_->corner_index(h), *features_, out);
+    }
+  }
 }
 
 template <class Value>
 void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value> fine) const {
-  const Topology& topology = parent_->topology();
-  LIMES_ASSERT(static_cast<int>(coarse.size()) == topology.num_vertices());
+  LIMES_ASSERT(static_cast<int>(coarse.size()) == parent_->topology().num_vertices());
   LIMES_ASSERT(static_cast<int>(fine.size()) == num_child_vertices());
-  const QuadrisectionIds ids = quadrisection_ids(*parent_);
+  const int first_face = first_face_point().value;
   const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
-  const auto slot = [&](VertexId v) -> Value& { return fine[static_cast<std::size_t>(v.value)]; };
-  const auto face_value = [&](std::int32_t f) { return slot(ids.of_face(FaceId(f))); };
-
-  // Face points first: the other rules read them.
-  const auto run = [&](int count, const auto& write) {
-    for_each_block(count, 512, [&](std::int64_t begin, std::int64_t end) {
+  const auto face_value = [&](std::int32_t f) {
+    return fine[static_cast<std::size_t>(first_face) + static_cast<std::size_t>(f)];
+  };
+  const auto run = [&](int first, int last) {
+    for_each_block(last - first, 512, [&](std::int64_t begin, std::int64_t end) {
       check_interrupt();
       NeighbourhoodWalk own_walk = walk();
-      Stencil stencil;
-      for (std::int64_t i = begin; i < end; ++i) {
-        const VertexId target = write(own_walk, i, stencil);
-        slot(target) = apply_stencil<Value>(stencil, old_value, face_value);
+      Stencil row;
+      for (std::int64_t i = first + begin; i < first + end; ++i) {
+        stencil(own_walk, VertexId(i), row);
+        fine[static_cast<std::size_t>(i)] = apply_stencil<Value>(row, old_value, face_value);
       }
     });
   };
-  run(num_face_points(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    face_stencil(w, FaceId(i), s);
-    return ids.of_face(FaceId(i));
-  });
-  run(parent_->num_edges(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    edge_stencil(w, EdgeId(i), s);
-    return ids.of_edge(EdgeId(i));
-  });
-  run(topology.num_vertices(), [&](NeighbourhoodWalk& w, std::int64_t i, Stencil& s) {
-    vertex_stencil(w, VertexId(i), s);
-    return ids.of_vertex(VertexId(i));
-  });
+  run(first_face, num_child_vertices());  // the other rules read them
+  run(0, first_face);
 }
 
 void RefinementStep::apply(std::span<const double> coarse, std::span<double> fine) const {
@@ -124,58 +165,71 @@ void RefinementStep::apply(std::span<const Vec3> coarse, std::span<Vec3> fine) c
   apply_values(coarse, fine);
 }
 
+std::vector<VertexId> RefinementStep::children_of(const SurroundedElements& elements) const {
+  std::vector<VertexId> children;
+  if (split_) {
+    using Kind = ChildVertex::Kind;
+    const auto has = [](const auto& sorted, auto id) {
+      return std::binary_search(sorted.begin(), sorted.end(), id);
+    };
+    for (int i = 0; i < num_child_vertices(); ++i) {
+      const ChildVertex s = source(VertexId(i));
+      if ((s.kind == Kind::vertex && has(elements.vertices, VertexId(s.from))) ||
+          (s.kind == Kind::edge && has(elements.edges, EdgeId(s.from))) ||
+          (s.kind == Kind::face && has(elements.faces, FaceId(s.from))) ||
+          (s.kind == Kind::corner && has(elements.faces, parent_->face(HalfedgeId(s.from)))))
+        children.push_back(VertexId(i));
+    }
+    return children;
+  }
+  const QuadrisectionIds ids = quadrisection_ids(*parent_);
+  for (const VertexId v : elements.vertices)
+    children.push_back(ids.of_vertex(v));
+  for (const EdgeId e : elements.edges)
+    children.push_back(ids.of_edge(e));
+  if (scheme_->split == Split::quads)
+    for (const FaceId f : elements.faces)
+      children.push_back(ids.of_face(f));
+  std::sort(children.begin(), children.end());
+  return children;
+}
+
 std::vector<VertexId> RefinementStep::update(std::span<const Vec3> coarse,
                                              std::span<const VertexId> changed,
                                              std::span<Vec3> fine) const {
-  const QuadrisectionIds ids = quadrisection_ids(*parent_);
-  const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
-  const auto slot = [&](VertexId v) -> Vec3& { return fine[static_cast<std::size_t>(v.value)]; };
-  const auto face_value = [&](std::int32_t f) { return slot(ids.of_face(FaceId(f))); };
-  NeighbourhoodWalk own_walk = walk();
-  Stencil stencil;
-  std::vector<VertexId> renewed;
-  const auto renew = [&](VertexId v) {
-    slot(v) = apply_stencil<Vec3>(stencil, old_value, face_value);
-    renewed.push_back(v);
-  };
+  // Rules reach no farther than the faces around a vertex, wide ones one ring more.
+  SurroundedElements around = surrounded_by(*parent_, changed);
+  if (scheme_->wide) around = surrounded_by(*parent_, around.vertices);
+  std::vector<VertexId> renewed = children_of(around);
 
-  // No rule reaches farther than the faces around a vertex.
-  const SurroundedElements around = surrounded_by(*parent_, changed);
-  for (const FaceId f : num_face_points() > 0 ? around.faces : std::vector<FaceId>()) {
-    face_stencil(own_walk, f, stencil);
-    renew(ids.of_face(f));
-  }
-  for (const EdgeId e : around.edges) {
-    edge_stencil(own_walk, e, stencil);
-    renew(ids.of_edge(e));
-  }
-  for (const VertexId v : around.vertices) {
-    vertex_stencil(own_walk, v, stencil);
-    renew(ids.of_vertex(v));
-  }
-  std::sort(renewed.begin(), renewed.end());
+  const VertexId first_face = first_face_point();
+  const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
+  const auto face_value = [&](std::int32_t f) {
+    return fine[static_cast<std::size_t>(first_face.value) + static_cast<std::size_t>(f)];
+  };
+  NeighbourhoodWalk own_walk = walk();
+  Stencil row;
+  const auto renew = [&](auto begin, auto end) {
+    for (auto v = begin; v != end; ++v) {
+      stencil(own_walk, *v, row);
+      fine[static_cast<std::size_t>(v->value)] = apply_stencil<Vec3>(row, old_value, face_value);
+    }
+  };
+  const auto faces = std::lower_bound(renewed.begin(), renewed.end(), first_face);
+  renew(faces, renewed.end());
+  renew(renewed.begin(), faces);
   return renewed;
 }
 
 SparseMatrix RefinementStep::matrix() const {
-  const Topology& topology = parent_->topology();
-  const QuadrisectionIds ids = quadrisection_ids(*parent_);
   std::vector<Triplet> entries;
-  Stencil stencil;
+  Stencil row;
   NeighbourhoodWalk own_walk = walk();
-  for (int v = 0; v < topology.num_vertices(); ++v) {
-    vertex_stencil(own_walk, VertexId(v), stencil);
-    append_stencil_row(ids.of_vertex(VertexId(v)).value, stencil, topology, entries);
+  for (int i = 0; i < num_child_vertices(); ++i) {
+    stencil(own_walk, VertexId(i), row);
+    append_stencil_row(i, row, parent_->topology(), entries);
   }
-  for (int e = 0; e < parent_->num_edges(); ++e) {
-    edge_stencil(own_walk, EdgeId(e), stencil);
-    append_stencil_row(ids.of_edge(EdgeId(e)).value, stencil, topology, entries);
-  }
-  for (int f = 0; f < num_face_points(); ++f) {
-    face_stencil(own_walk, FaceId(f), stencil);
-    append_stencil_row(ids.of_face(FaceId(f)).value, stencil, topology, entries);
-  }
-  SparseMatrix S(num_child_vertices(), topology.num_vertices());
+  SparseMatrix S(num_child_vertices(), parent_->topology().num_vertices());
   S.setFromTriplets(entries.begin(), entries.end());
   return S;
 }

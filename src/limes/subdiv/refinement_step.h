@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "limes/core/types.h"
 #include "limes/mesh/adjacency.h"
+#include "limes/subdiv/explicit_split.h"
 #include "limes/subdiv/scheme.h"
+#include "limes/subdiv/surroundings.h"
 
 namespace limes {
 
@@ -12,13 +15,16 @@ namespace limes {
 /// from the same rules. Keeps references to all three arguments.
 class RefinementStep {
  public:
-  /// @throws InputError if the scheme does not fit the faces, naming the first that does not
+  /// @throws InputError if the scheme does not fit the faces, or knows no creases and is given some;
+  ///         names the first
   RefinementStep(const Adjacency& parent, const Features& features, const Scheme& scheme);
 
   [[nodiscard]] int num_child_vertices() const;
   [[nodiscard]] int num_child_faces() const;
   [[nodiscard]] Topology child_topology() const;
   [[nodiscard]] Features child_features() const;
+  /// Of each child face, the parent's face that it covers or (dual splits) touches.
+  [[nodiscard]] std::vector<FaceId> parent_faces() const;
 
   /// Values of the child's vertices. The same bits for any number of threads.
   /// @param coarse  one value per parent vertex
@@ -36,16 +42,15 @@ class RefinementStep {
   /// no face uses keeps its value.
   [[nodiscard]] SparseMatrix matrix() const;
 
-  /// Writes the row of one child vertex into a cleared stencil; of a face only where the scheme gives
-  /// faces a new vertex.
-  void face_stencil(NeighbourhoodWalk& walk, FaceId f, Stencil& out) const;
-  void edge_stencil(NeighbourhoodWalk& walk, EdgeId e, Stencil& out) const;
-  void vertex_stencil(NeighbourhoodWalk& walk, VertexId v, Stencil& out) const;
+  /// Writes the row of one child vertex.
+  void stencil(NeighbourhoodWalk& walk, VertexId child, Stencil& out) const;
 
  private:
-  [[nodiscard]] int num_face_points() const {
-    return scheme_->split == Split::quads ? parent_->topology().num_faces() : 0;
-  }
+  [[nodiscard]] ChildVertex source(VertexId child) const;
+  /// First child vertex that other rules may read as that of a face.
+  [[nodiscard]] VertexId first_face_point() const;
+  [[nodiscard]] std::vector<VertexId> children_of(const SurroundedElements& elements) const;
+  void stencil(NeighbourhoodWalk& walk, const ChildVertex& source, Stencil& out) const;
   template <class Value>
   void apply_values(std::span<const Value> coarse, std::span<Value> fine) const;
 
@@ -53,6 +58,7 @@ class RefinementStep {
   const Features* features_;
   const Scheme* scheme_;
   Sharpness sharpness_;
+  std::optional<ExplicitSplit> split_;  // unless quadrisection
 
  public:
   /// For callers that walk on their own.

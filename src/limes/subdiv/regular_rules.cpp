@@ -52,9 +52,9 @@ bool has_shape(const Stencil& stencil, std::span<const Shape> shape) {
 }  // namespace
 
 std::optional<RegularMasks> regular_masks(const Scheme& scheme) {
-  if (scheme.split != Split::quads) return {};
+  if (scheme.split != Split::quads || scheme.wide) return {};
   Stencil face;
-  scheme.face_rule({FaceId(0), neighbours}, face);
+  scheme.face_rule({FaceId(0), neighbours, {}}, {}, face);
   const LineRules smooth = line_rules(scheme, 0.0F, false);
   constexpr std::array<Shape, 1> face_shape{{{Source::vertex, 4}}};
   constexpr std::array<Shape, 2> edge_shape{{{Source::vertex, 2}, {Source::face_point, 2}}};
@@ -74,8 +74,8 @@ LineRules line_rules(const Scheme& scheme, float sharpness, bool boundary) {
   const std::array<float, 4> child_edges{child, 0.0F, child, 0.0F};
   const std::size_t n = boundary ? 3 : 4;
   LineRules rules;
-  scheme.edge_rule(edge_on_line(sharpness, boundary), Features{}, rules.edge);
-  scheme.vertex_rule(vertex_on_line(std::span(edges).first(n), std::span(child_edges).first(n)),
+  scheme.edge_rule(edge_on_line(sharpness, boundary), {}, rules.edge);
+  scheme.vertex_rule(vertex_on_line(std::span(edges).first(n), std::span(child_edges).first(n)), {},
                      rules.vertex);
   return rules;
 }

@@ -14,14 +14,24 @@ namespace limes {
 
 // The rules, one file per scheme. A rule writes into a cleared stencil.
 
-void catmull_clark_face(const FaceNeighbourhood& n, Stencil& out);
-void catmull_clark_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
-void catmull_clark_vertex(const VertexNeighbourhood& n, Stencil& out);
+void catmull_clark_face(const FaceNeighbourhood& n, const RuleOptions& options, Stencil& out);
+void catmull_clark_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out);
+void catmull_clark_vertex(const VertexNeighbourhood& n, const RuleOptions& options, Stencil& out);
 
-void loop_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
-void loop_vertex(const VertexNeighbourhood& n, Stencil& out);
+void loop_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out);
+void loop_vertex(const VertexNeighbourhood& n, const RuleOptions& options, Stencil& out);
 
-void linear_edge(const EdgeNeighbourhood& n, const Features& features, Stencil& out);
-void linear_vertex(const VertexNeighbourhood& n, Stencil& out);
+void linear_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out);
+/// Also of other schemes whose old vertices stay.
+void linear_vertex(const VertexNeighbourhood& n, const RuleOptions& options, Stencil& out);
+
+void doo_sabin_corner(const FaceNeighbourhood& face, int corner, const RuleOptions& options,
+                      Stencil& out);
+
+void sqrt3_face(const FaceNeighbourhood& face, const RuleOptions& options, Stencil& out);
+void sqrt3_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
+void sqrt3_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out);
+
+void butterfly_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 
 }  // namespace limes

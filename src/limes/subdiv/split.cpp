@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "limes/core/error.h"
 #include "limes/core/parallel.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/neighbourhood.h"
+#include "limes/subdiv/splits.h"
 
 namespace limes {
 
 namespace {
-
-void require_numbers(std::int64_t num_vertices, std::int64_t num_faces, int face_size) {
-  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  if (std::max(num_vertices, face_size * num_faces) > most)
-    throw InputError("refinement would have {} faces; at most {} can be numbered", num_faces,
-                     most / face_size);
-}
 
 Topology split_triangles(const Adjacency& parent) {
   const Topology& topology = parent.topology();
@@ -125,9 +118,7 @@ HalfedgeId first_of_edge(HalfedgeId a, HalfedgeId b) {
 }  // namespace
 
 Features split_features(const Adjacency& parent, const Features& features, Split split) {
-  Features child;
-  child.crease_method = features.crease_method;
-  child.smooth_triangles = features.smooth_triangles;
+  Features child = features.without_tags(1);
   for (const SharpVertex& v : features.vertices)
     if (is_sharp(decayed(v.sharpness))) child.vertices.push_back({v.vertex, decayed(v.sharpness)});
   if (features.edges.empty()) return child;

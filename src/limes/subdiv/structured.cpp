@@ -261,10 +261,8 @@ float decayed_by(int steps, float sharpness) {
 }  // namespace
 
 Features StructuredRefinement::features() const {
-  Features fine;
-  fine.crease_method = features_.crease_method;
-  fine.smooth_triangles = features_.smooth_triangles;
   const int depth = numbering_.depth();
+  Features fine = features_.without_tags(depth);
   for (const SharpVertex& v : features_.vertices)
     if (const float s = decayed_by(depth, v.sharpness); is_sharp(s))
       fine.vertices.push_back({v.vertex, s});
