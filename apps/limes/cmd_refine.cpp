@@ -52,8 +52,7 @@ void RefineCommand::operator()() const {
       fine = std::move(coarse);
   }
   if (fine.topology.num_faces() == 0)
-    throw InputError("{}: no face is left, for all touch the boundary",
-                     mesh.file.string());
+    throw InputError("{}: no face is left, for all touch the boundary", mesh.file.string());
   check_interrupt();
   save_mesh(output, fine);
 
