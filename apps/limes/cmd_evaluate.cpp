@@ -147,6 +147,7 @@ void EvaluateCommand::operator()() const {
     throw UsageError("{} of --at, --closest and --ray are given; one is right", given);
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
+  require_limit(choice);
   check_output(output, run);
   const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
   nlohmann::ordered_json counts;

@@ -90,6 +90,7 @@ std::string summary(std::size_t num_cells, std::size_t num_exact, double deviati
 void LimitCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
+  require_limit(choice);
   const VtkCell type = parse_cells(cells);
   const double relative = parse_positive("--tolerance", tolerance);
   check_output(output, run, {".vtu"});

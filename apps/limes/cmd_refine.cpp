@@ -33,6 +33,7 @@ struct RefineCommand {
 void RefineCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
+  if (limit) require_limit(choice);
   const int num_levels = parse_whole_number("--levels", levels, 0);
   check_mesh_output(output, run);
   Mesh coarse = num_levels > 0 || limit ? load_refinable_mesh(mesh) : load_mesh(mesh);
@@ -43,7 +44,7 @@ void RefineCommand::operator()() const {
   Mesh fine;
   {
     const Progress progress(fmt::format("refining {}", mesh.file.string()));
-    const RefineOptions options{num_levels, choice.boundary_for(coarse)};
+    const RefineOptions options{num_levels, choice.boundary_for(coarse), choice.sector_stencils};
     if (limit)
       fine = naming_file(mesh.file, [&] { return limit_mesh(coarse, *choice.scheme, options); });
     else if (num_levels > 0)

@@ -49,7 +49,9 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
                   "catmull-clark, loop: what happens at the boundary [the file's tag, else edges]\n"
                   "  none               boundary faces shape the others and are dropped\n"
                   "  edges              the boundary is a smooth curve\n"
-                  "  edges-and-corners  and vertices with one face stay where they are")
+                  "  edges-and-corners  and vertices with one face stay where they are\n"
+                  "  biermann           the same, by weights that follow the angle of the surface\n"
+                  "                     and do not fold at concave corners (refine, catmull-clark)")
       ->option_text("RULE")
       ->group(scheme_group);
   // Hidden as long as no scheme has them; known, so that the message can say so.
@@ -78,8 +80,10 @@ BoundaryRule parse_boundary(const std::string& name) {
   if (name == "none") return BoundaryRule::none;
   if (name == "edges") return BoundaryRule::edges;
   if (name == "edges-and-corners") return BoundaryRule::edges_and_corners;
-  throw UsageError("--boundary: there is no rule {}; known are none, edges, edges-and-corners",
-                   quote(name));
+  throw UsageError(
+      "--boundary: there is no rule {}; known are none, edges, edges-and-corners, "
+      "biermann (of catmull-clark)",
+      quote(name));
 }
 
 }  // namespace
@@ -91,8 +95,17 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
   refuse_option(scheme, options.tension, "--tension");
   refuse_option(scheme, options.corners, "--corners");
   refuse_option(scheme, options.ring_pull, "--ring-pull");
-  if (!options.boundary.empty()) choice.boundary = parse_boundary(options.boundary);
+  choice.sector_stencils = options.boundary == "biermann" && scheme.name == "catmull-clark";
+  if (choice.sector_stencils)
+    choice.boundary = BoundaryRule::edges_and_corners;
+  else if (!options.boundary.empty())
+    choice.boundary = parse_boundary(options.boundary);
   return choice;
+}
+
+void require_limit(const SchemeChoice& choice) {
+  if (choice.sector_stencils)
+    throw UsageError("--boundary: limits with rule biermann are not evaluated, only refined");
 }
 
 int parse_whole_number(const char* option, const std::string& text, int least) {

@@ -49,6 +49,7 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options);
 struct SchemeChoice {
   const Scheme* scheme;
   std::optional<BoundaryRule> boundary;  ///< the user's; the file's comes second
+  bool sector_stencils = false;          ///< --boundary biermann; for refinement only
 
   /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
   [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;
@@ -56,6 +57,9 @@ struct SchemeChoice {
 
 /// @throws UsageError for unknown names and for options that the scheme does not have
 [[nodiscard]] SchemeChoice choose_scheme(const SchemeOptions& options);
+
+/// @throws UsageError for what refines but has no limit that can be evaluated
+void require_limit(const SchemeChoice& choice);
 
 /// Whether there is a choice of boundary rules.
 [[nodiscard]] bool has_boundary_rules(const Scheme& scheme);

@@ -1,5 +1,6 @@
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/sector.h"
 #include "limes/subdiv/sharp_vertex.h"
 
 namespace limes {
@@ -38,6 +39,8 @@ void catmull_clark_edge(const EdgeNeighbourhood& n, const RuleOptions& options, 
     out.add(0.5, n.ends);
     return;
   }
+  if (options.sector_stencils && !is_sharp(n.sharpness) && has_sector(n))
+    return add_sector_edge(n, out);
   // Smooth, or in its last semi-sharp step: sharpness blends the two rules.
   const double sharp = static_cast<double>(n.sharpness);
   const double face = edge_face_weight(n, options.smooth_triangles);

@@ -1,8 +1,11 @@
 #include "limes/subdiv/features.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "limes/core/error.h"
+#include "limes/subdiv/crease.h"
 
 namespace limes {
 namespace {
@@ -115,6 +118,31 @@ Sharpness::Sharpness(const Adjacency& adjacency, const Features& features)
     vertices_.resize(static_cast<std::size_t>(adjacency.topology().num_vertices()), 0.0F);
     for (const SharpVertex& v : features.vertices)
       vertices_[v.vertex] = v.sharpness;
+  }
+  if (features.sector_stencils && !features.vertices.empty()) {
+    angles_.resize(static_cast<std::size_t>(adjacency.topology().num_vertices()), 0.0);
+    for (const SharpVertex& v : features.vertices)
+      angles_[v.vertex] = v.angle;
+  }
+}
+
+double Sharpness::angle(VertexId v) const {
+  const bool corner = !angles_.empty() && angles_[v] > 0.0;
+  return corner ? angles_[v] : std::numbers::pi;
+}
+
+void measure_corners(const Adjacency& adjacency, std::span<const Vec3> points, Features& features) {
+  features.sector_stencils = true;
+  const auto at = [&](VertexId v) { return points[static_cast<std::size_t>(v.value)]; };
+  for (SharpVertex& corner : features.vertices) {
+    if (!is_infinite(corner.sharpness) || !adjacency.is_boundary(corner.vertex)) continue;
+    corner.angle = 0.0;
+    for (HalfedgeId h = adjacency.ring_start(corner.vertex); h.valid();
+         h = adjacency.ring_next(h)) {
+      const Vec3 a = at(adjacency.to(h)) - at(corner.vertex);
+      const Vec3 b = at(adjacency.from(adjacency.prev(h))) - at(corner.vertex);
+      corner.angle += std::atan2(a.cross(b).norm(), a.dot(b));
+    }
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "limes/core/id_array.h"
+#include "limes/core/types.h"
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/tags.h"
 
@@ -16,7 +18,8 @@ struct SharpEdge {
 
 struct SharpVertex {
   VertexId vertex;
-  float sharpness;  ///< > 0
+  float sharpness;   ///< > 0
+  double angle = 0;  ///< of the surface at a boundary corner, in radians; 0: not measured
   friend bool operator==(const SharpVertex&, const SharpVertex&) = default;
 };
 
@@ -26,6 +29,8 @@ struct RuleOptions {
   bool smooth_triangles = false;
   double tension = 1.0;  ///< of interpolatory schemes, 1: cubic precision
   int level = 0;         ///< steps made since the control mesh
+  /// Weights at the boundary follow the angle of the surface there, see sector.h.
+  bool sector_stencils = false;
   friend bool operator==(const RuleOptions&, const RuleOptions&) = default;
 };
 
@@ -50,6 +55,10 @@ struct Features : RuleOptions {
 [[nodiscard]] Features resolve_tags(const Adjacency& adjacency, const Tags& tags,
                                     BoundaryRule boundary);
 
+/// Asks for sector stencils: measures the angle of the surface at the boundary vertices that are
+/// corners, as the sum of their faces' angles. points: one per vertex.
+void measure_corners(const Adjacency& adjacency, std::span<const Vec3> points, Features& features);
+
 /// The inverse, for files: features of a refined mesh as tags.
 [[nodiscard]] Tags tags_of(const Topology& topology, const Features& features);
 
@@ -64,11 +73,14 @@ class Sharpness {
     return edges_.empty() ? 0.0F : edges_[e];
   }
   [[nodiscard]] float vertex(VertexId v) const { return vertices_.empty() ? 0.0F : vertices_[v]; }
+  /// Angle of the surface at a boundary vertex: that of a corner, else pi.
+  [[nodiscard]] double angle(VertexId v) const;
 
  private:
   const Adjacency* adjacency_;
   IdArray<EdgeId, float> edges_;
   IdArray<VertexId, float> vertices_;
+  IdArray<VertexId, double> angles_;  // only for sector stencils
 };
 
 }  // namespace limes

@@ -95,7 +95,13 @@ void NeighbourhoodWalk::collect_spokes(std::size_t i, HalfedgeId h) {
     if (!out.valid()) ids.ends.push_back(a.from(in));
     if (out == start) break;
   }
-  spokes_[i] = {centre, a.is_boundary(centre), first, ids.ends, ids.diagonals};
+  spokes_[i] = {centre,
+                a.is_boundary(centre),
+                is_infinite(sharpness_->vertex(centre)),
+                sharpness_->angle(centre),
+                first,
+                ids.ends,
+                ids.diagonals};
 }
 
 FaceNeighbourhood NeighbourhoodWalk::wide_face(FaceId f) {

@@ -13,7 +13,9 @@ namespace limes {
 struct Spokes {
   VertexId centre;
   bool boundary;
-  int first;                            ///< the edge that leads to the asking edge or face
+  bool corner;   ///< infinitely sharp
+  double angle;  ///< of the surface at a boundary vertex, in radians; pi where not a corner
+  int first;     ///< the edge that leads to the asking edge or face
   std::span<const VertexId> ends;       ///< other end of each edge
   std::span<const VertexId> diagonals;  ///< of the face after each edge: the corner after the next,
                                         ///< which in a quad is the one opposite the centre

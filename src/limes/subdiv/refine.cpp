@@ -34,6 +34,7 @@ std::vector<FaceGroup> descendants(const Topology& control, const std::vector<Fa
 Mesh refine_by_quadrisection(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   const Adjacency adjacency(mesh.topology);
   Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
+  if (options.sector_stencils) measure_corners(adjacency, mesh.points.span(), features);
   Mesh fine;
   if (options.levels == 0) {
     fine.topology = mesh.topology;

@@ -8,6 +8,8 @@ namespace limes {
 struct RefineOptions {
   int levels = 1;
   BoundaryRule boundary = BoundaryRule::edges;
+  /// Boundary stencils of [biermann_2000], see sector.h; catmull-clark only.
+  bool sector_stencils = false;
 };
 
 /// Uniform refinement of a mesh with its tags, groups and parts. With BoundaryRule::none the faces

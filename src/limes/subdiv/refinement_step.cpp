@@ -5,6 +5,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/subdiv/sector.h"
 #include "limes/subdiv/split.h"
 #include "limes/subdiv/surroundings.h"
 
@@ -23,12 +24,15 @@ void require_faces(const Topology& topology, const Scheme& scheme) {
 void require_no_creases(const Adjacency& adjacency, const Features& features,
                         const Scheme& scheme) {
   for (const SharpEdge& e : features.edges)
-    throw InputError("the edge of vertices {} and {} is sharp; {} has no creases: remove the "
-                     "tag, or take catmull-clark or loop",
-                     adjacency.from(e.halfedge).value, adjacency.to(e.halfedge).value, scheme.name);
+    throw InputError(
+        "the edge of vertices {} and {} is sharp; {} has no creases: remove the "
+        "tag, or take catmull-clark or loop",
+        adjacency.from(e.halfedge).value, adjacency.to(e.halfedge).value, scheme.name);
   for (const SharpVertex& v : features.vertices)
-    throw InputError("vertex {} is sharp; {} has no corners: remove the tag, or take "
-                     "catmull-clark or loop", v.vertex.value, scheme.name);
+    throw InputError(
+        "vertex {} is sharp; {} has no corners: remove the tag, or take "
+        "catmull-clark or loop",
+        v.vertex.value, scheme.name);
 }
 
 }  // namespace
@@ -115,13 +119,16 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
     }
     case ChildVertex::Kind::edge: {
       const EdgeId e(source.from);
-      EdgeNeighbourhood n = scheme_->wide ? walk.wide_edge(e) : walk.edge(e);
+      EdgeNeighbourhood n = is_wide() ? walk.wide_edge(e) : walk.edge(e);
       n.part = source.part;
       return scheme_->edge_rule(n, *features_, out);
     }
     case ChildVertex::Kind::face: {
       const FaceId f(source.from);
-      return scheme_->face_rule(scheme_->wide ? walk.wide_face(f) : walk.face(f), *features_, out);
+      const FaceNeighbourhood n = is_wide() ? walk.wide_face(f) : walk.face(f);
+      scheme_->face_rule(n, *features_, out);
+      if (features_->sector_stencils) flatten_face(n, out);
+      return;
     }
     case ChildVertex::Kind::corner: {
       const HalfedgeId h(source.from);
@@ -132,13 +139,26 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
 }
 
 template <class Value>
+Value RefinementStep::face_point(FaceId f, std::span<const Value> coarse,
+                                 std::span<const Value> fine) const {
+  if (!features_->sector_stencils)
+    return fine[static_cast<std::size_t>(first_face_point().value) +
+                static_cast<std::size_t>(f.value)];
+  const auto corners = parent_->topology().face(f);
+  Value sum = coarse[static_cast<std::size_t>(corners[0].value)];
+  for (const VertexId v : corners.subspan(1))
+    sum = sum + coarse[static_cast<std::size_t>(v.value)];
+  return sum / static_cast<double>(corners.size());
+}
+
+template <class Value>
 void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value> fine) const {
   LIMES_ASSERT(static_cast<int>(coarse.size()) == parent_->topology().num_vertices());
   LIMES_ASSERT(static_cast<int>(fine.size()) == num_child_vertices());
   const int first_face = first_face_point().value;
   const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
-  const auto face_value = [&](std::int32_t f) {
-    return fine[static_cast<std::size_t>(first_face) + static_cast<std::size_t>(f)];
+  const auto face_value = [&](std::int32_t f) -> Value {
+    return face_point<Value>(FaceId(f), coarse, fine);
   };
   const auto run = [&](int first, int last) {
     for_each_block(last - first, 512, [&](std::int64_t begin, std::int64_t end) {
@@ -199,13 +219,13 @@ std::vector<VertexId> RefinementStep::update(std::span<const Vec3> coarse,
                                              std::span<Vec3> fine) const {
   // Rules reach no farther than the faces around a vertex, wide ones one ring more.
   SurroundedElements around = surrounded_by(*parent_, changed);
-  if (scheme_->wide) around = surrounded_by(*parent_, around.vertices);
+  if (is_wide()) around = surrounded_by(*parent_, around.vertices);
   std::vector<VertexId> renewed = children_of(around);
 
   const VertexId first_face = first_face_point();
   const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
-  const auto face_value = [&](std::int32_t f) {
-    return fine[static_cast<std::size_t>(first_face.value) + static_cast<std::size_t>(f)];
+  const auto face_value = [&](std::int32_t f) -> Vec3 {
+    return face_point<Vec3>(FaceId(f), coarse, fine);
   };
   NeighbourhoodWalk own_walk = walk();
   Stencil row;

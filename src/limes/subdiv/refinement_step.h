@@ -42,15 +42,22 @@ class RefinementStep {
   /// no face uses keeps its value.
   [[nodiscard]] SparseMatrix matrix() const;
 
-  /// Writes the row of one child vertex.
+  /// Writes the row of one child vertex. A face point in it means the mean of the face's corners.
   void stencil(NeighbourhoodWalk& walk, VertexId child, Stencil& out) const;
 
  private:
+  /// Whether rules of faces and edges are given the rings of the corners.
+  [[nodiscard]] bool is_wide() const { return scheme_->wide || features_->sector_stencils; }
   [[nodiscard]] ChildVertex source(VertexId child) const;
   /// First child vertex that other rules may read as that of a face.
   [[nodiscard]] VertexId first_face_point() const;
   [[nodiscard]] std::vector<VertexId> children_of(const SurroundedElements& elements) const;
   void stencil(NeighbourhoodWalk& walk, const ChildVertex& source, Stencil& out) const;
+  /// Value of a face point. They are read from `fine`, where those that rules read have been
+  /// written before, unless corners draw the vertices of faces elsewhere.
+  template <class Value>
+  [[nodiscard]] Value face_point(FaceId f, std::span<const Value> coarse,
+                                 std::span<const Value> fine) const;
   template <class Value>
   void apply_values(std::span<const Value> coarse, std::span<Value> fine) const;
 

@@ -120,7 +120,8 @@ HalfedgeId first_of_edge(HalfedgeId a, HalfedgeId b) {
 Features split_features(const Adjacency& parent, const Features& features, Split split) {
   Features child = features.without_tags(1);
   for (const SharpVertex& v : features.vertices)
-    if (is_sharp(decayed(v.sharpness))) child.vertices.push_back({v.vertex, decayed(v.sharpness)});
+    if (is_sharp(decayed(v.sharpness)))
+      child.vertices.push_back({v.vertex, decayed(v.sharpness), v.angle});
   if (features.edges.empty()) return child;
 
   const Sharpness sharpness(parent, features);

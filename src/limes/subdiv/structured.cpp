@@ -14,6 +14,7 @@ namespace limes {
 
 bool StructuredRefinement::applies(const Topology& topology, const Features& features,
                                    const Scheme& scheme) {
+  if (features.sector_stencils) return false;
   const bool varying = features.crease_method != CreaseMethod::uniform &&
                        std::any_of(features.edges.begin(), features.edges.end(),
                                    [](const SharpEdge& e) { return !is_infinite(e.sharpness); });
