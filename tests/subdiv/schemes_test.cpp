@@ -120,6 +120,45 @@ TEST_P(EveryScheme, KeepsTheEulerNumber) {
   });
 }
 
+/// Six times the volume that a closed mesh with outward faces encloses.
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    const auto v = mesh.topology.face(FaceId(f));
+    for (std::size_t i = 1; i + 1 < v.size(); ++i)
+      sum += mesh.points[v[0]].dot(mesh.points[v[i]].cross(mesh.points[v[i + 1]]));
+  }
+  return sum;
+}
+
+TEST_P(EveryScheme, KeepsTheOrientation) {
+  on_every_shape([&](const Mesh& mesh) {
+    if (!is_closed(mesh)) return;
+    EXPECT_GT(volume(mesh) * volume(refine(mesh, scheme(), {.levels = 2})), 0);
+  });
+}
+
+/// Faces stay in their parts: every refined face is in one, and the parts lie side by side as before.
+TEST_P(EveryScheme, HandsPartsDownToTheChildren) {
+  on_every_shape([&](Mesh mesh) {
+    const int half = mesh.topology.num_faces() / 2;
+    mesh.parts = {{"a", {}}, {"b", {}}};
+    for (int f = 0; f < mesh.topology.num_faces(); ++f)
+      mesh.parts[f < half ? 0 : 1].faces.emplace_back(f);
+    const Mesh fine = refine(mesh, scheme(), {.levels = 2});
+    ASSERT_EQ(fine.parts.size(), 2U);
+    std::vector<int> count(static_cast<std::size_t>(fine.topology.num_faces()), 0);
+    for (const FaceGroup& part : fine.parts) {
+      EXPECT_TRUE(std::is_sorted(part.faces.begin(), part.faces.end()));
+      for (const FaceId f : part.faces)
+        ++count[static_cast<std::size_t>(f.value)];
+    }
+    EXPECT_EQ(std::count(count.begin(), count.end(), 1), fine.topology.num_faces());
+    EXPECT_TRUE(half == 0 || scheme().boundary == Boundary::shrinks ||
+                !fine.parts[0].faces.empty());
+  });
+}
+
 /// Tags of a refined mesh say all that is left of the sharpness: two steps are one step twice. Not
 /// at the boundary of sqrt3, where every second step is another.
 TEST_P(EveryScheme, TwoLevelsAreOneLevelTwice) {
