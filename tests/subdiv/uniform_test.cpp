@@ -216,39 +216,34 @@ TEST(UniformRefinement, RefusesMoreVerticesThanCanBeNumbered) {
 /// Every loop over a grid, with vectors of two doubles and with the widest of this machine.
 TEST(QuadKernel, GivesTheSameBitsWithEveryInstructionSet) {
   const RegularMasks masks = regular_masks(find_scheme("catmull-clark")).value();
-  const QuadNumbering numbering(4);
-  const QuadRuns runs(numbering, 0b1010);
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto results = [&](const QuadKernel& kernel) {
-    random.seed(5);
+  const QuadRuns runs(QuadNumbering(4), 0b1010);
+  const auto points = [&](const QuadKernel& kernel) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
     QuadGrid grid;
     QuadGrid fine;
-    grid.resize(8);
-    for (int i = 0; i < grid.stride() * grid.stride(); ++i)
-      grid.vertex(i) = Point4(Vec3(unit(random), unit(random), unit(random)));
-    grid.make_face_points(kernel, masks);
-    grid.refine(kernel, masks, fine);
-    std::vector<Vec3> out(static_cast<std::size_t>(fine.stride() * fine.stride()));
-    for (std::size_t i = 0; i < out.size(); ++i)
-      fine.vertex(static_cast<int>(i)).store(out[i]);
-    const auto write = [&](std::size_t count, const auto& to) {
-      out.resize(out.size() + count);
-      to(static_cast<int>(count), out.data() + out.size() - count);
-    };
-    write(runs.old_vertices.size(), [&](int count, Vec3* to) {
-      kernel.write_vertices(masks, 8, grid.vertices(), grid.faces(), runs.old_vertices.data(),
-                            count, to);
-    });
-    write(runs.new_edges.size(), [&](int count, Vec3* to) {
-      kernel.write_edges(masks, grid.vertices(), grid.faces(), runs.new_edges.data(), count, to);
-    });
-    write(runs.new_faces.size(), [&](int count, Vec3* to) {
-      kernel.write_faces(grid.faces(), runs.new_faces.data(), count, to);
-    });
+    for (int j = -1; j <= 9; ++j)
+      for (int i = -1; i <= 9; ++i)
+        grid.point(i, j) = Point4(Vec3(unit(random), unit(random), unit(random)));
+    kernel.refine(masks, 8, grid.points(), fine.points());
+    std::vector<Vec3> out(runs.offsets().size());
+    kernel.write(fine.points(), runs.offsets().data(), static_cast<int>(out.size()), out.data());
+    for (int k = -1; k <= 17; ++k)  // the margin
+      for (const Point4& p :
+           {fine.point(k, -1), fine.point(k, 17), fine.point(-1, k), fine.point(17, k)})
+        p.store(out.emplace_back());
     return out;
   };
-  EXPECT_TRUE(same_bits(results(QuadKernel::two_doubles()), results(QuadKernel::best())));
+  EXPECT_TRUE(same_bits(points(QuadKernel::two_doubles()), points(QuadKernel::best())));
+  const auto corners = [&](const QuadKernel& kernel) {
+    std::vector<VertexId> coarse;
+    for (int k = 0; k < 256; ++k)
+      coarse.emplace_back(7 * k);
+    std::vector<VertexId> fine(1024);
+    kernel.split(64, coarse.data(), runs.edge_ranks(4).data(), 2000, 3000, fine.data());
+    return fine;
+  };
+  EXPECT_EQ(corners(QuadKernel::two_doubles()), corners(QuadKernel::best()));
 }
 
 #ifdef LIMES_WITH_TBB

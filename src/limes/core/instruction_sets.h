@@ -6,12 +6,17 @@
 //
 // Vectors are those of GCC and clang (vector_size). Without fused operations, which are off for the
 // whole project, both give the same bits. LIMES_INLINE marks the helpers of a body: a function takes
-// on the instruction set of the one it is inlined into.
+// on the instruction set of the one it is inlined into. LIMES_UNROLL before a loop repeats its body eight times.
 //
 // Include it inside an anonymous namespace, with the headers that the body needs and
 // limes/core/avx2.h before.
 
 #define LIMES_INLINE inline __attribute__((always_inline))
+#if defined(__clang__)
+#define LIMES_UNROLL _Pragma("unroll 8")
+#else
+#define LIMES_UNROLL _Pragma("GCC unroll 8")
+#endif
 
 namespace two {
 #define LIMES_LANES 2

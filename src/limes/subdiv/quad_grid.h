@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "limes/subdiv/quad_kernel.h"
+#include "limes/subdiv/point4.h"
+#include "limes/subdiv/quad_numbering.h"
 
 namespace limes {
 
@@ -11,44 +12,34 @@ namespace limes {
 ///
 ///      o   o   o   o   o
 ///        +---+---+---+          n = 3 cells a side; + vertices (i, j), 0 <= i, j <= n
-///      o | · | · | · | o        o margin; · new face points, one per cell, margin cells included
+///      o |   |   |   | o        o margin; i and j start at -1
 ///        +---+---+---+
 ///           . . .
 ///
-/// Vertex (i, j) lies at (j + 1) stride + i + 1, the face point of the cell between (i, j) and
-/// (i + 1, j + 1) at (j + 1) (n + 2) + i + 1; i and j start at -1.
+/// Lines are as far apart in all grids, so that places differ by constants. On the grid one step
+/// finer vertex (i, j) is (2 i, 2 j), and (2 i + 1, 2 j + 1) is the new face point of the cell between
+/// (i, j) and (i + 1, j + 1).
 class QuadGrid {
  public:
-  static constexpr int max_cells = 1 << (QuadNumbering::max_depth - 1);
+  static constexpr int max_cells = 1 << QuadNumbering::max_depth;
+  static constexpr int stride = max_cells + 3;
+  [[nodiscard]] static constexpr int place(int i, int j) { return (j + 1) * stride + i + 1; }
 
   void resize(int cells) { n_ = cells; }
   [[nodiscard]] int cells() const { return n_; }
-  [[nodiscard]] int stride() const { return n_ + 3; }
-  [[nodiscard]] int vertex_index(int i, int j) const { return (j + 1) * stride() + i + 1; }
-  [[nodiscard]] int face_stride() const { return n_ + 2; }
-  [[nodiscard]] int face_index(int i, int j) const { return (j + 1) * face_stride() + i + 1; }
 
-  [[nodiscard]] const Point4* vertices() const { return vertices_.data(); }
-  [[nodiscard]] Point4& vertex(int index) { return vertices_[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] const Point4& vertex(int index) const {
-    return vertices_[static_cast<std::size_t>(index)];
+  [[nodiscard]] const Point4* points() const { return points_.data(); }
+  [[nodiscard]] Point4* points() { return points_.data(); }
+  [[nodiscard]] const Point4& point(int i, int j) const {
+    return points_[static_cast<std::size_t>(place(i, j))];
   }
-  [[nodiscard]] const Point4* faces() const { return faces_.data(); }
-
-  /// New face points of all cells.
-  void make_face_points(const QuadKernel& kernel, const RegularMasks& m) {
-    kernel.make_face_points(m, n_, vertices_.data(), faces_.data());
-  }
-  /// All points of the grid one step finer, margin included. Precondition: face points are made.
-  void refine(const QuadKernel& kernel, const RegularMasks& m, QuadGrid& fine) const {
-    fine.resize(2 * n_);
-    kernel.refine(m, n_, vertices_.data(), faces_.data(), fine.vertices_.data());
+  [[nodiscard]] Point4& point(int i, int j) {
+    return points_[static_cast<std::size_t>(place(i, j))];
   }
 
  private:
   int n_ = 0;
-  std::array<Point4, (max_cells + 3) * (max_cells + 3)> vertices_;
-  std::array<Point4, (max_cells + 2) * (max_cells + 2)> faces_;
+  std::array<Point4, stride * stride> points_;
 };
 
 }  // namespace limes

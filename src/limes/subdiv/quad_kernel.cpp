@@ -1,6 +1,7 @@
 #include "limes/subdiv/quad_kernel.h"
 
 #include "limes/core/avx2.h"
+#include "limes/subdiv/quad_grid.h"
 
 namespace limes {
 namespace {
@@ -8,8 +9,7 @@ namespace {
 #define LIMES_KERNEL_BODY "limes/subdiv/quad_kernel_body.h"
 #include "limes/core/instruction_sets.h"
 
-constexpr QuadKernel kernel_two{two::make_face_points, two::refine, two::write_vertices,
-                                two::write_edges, two::write_faces};
+constexpr QuadKernel kernel_two{two::refine, two::write, two::split};
 
 }  // namespace
 
@@ -19,9 +19,7 @@ const QuadKernel& QuadKernel::two_doubles() {
 
 const QuadKernel& QuadKernel::best() {
 #ifdef LIMES_WITH_AVX2
-  static constexpr QuadKernel kernel_four{four::make_face_points, four::refine,
-                                          four::write_vertices, four::write_edges,
-                                          four::write_faces};
+  static constexpr QuadKernel kernel_four{four::refine, four::write, four::split};
   if (has_avx2()) return kernel_four;
 #endif
   return kernel_two;

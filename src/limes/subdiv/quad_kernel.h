@@ -1,25 +1,25 @@
 #pragma once
 
+#include <cstdint>
+
+#include "limes/core/ids.h"
 #include "limes/subdiv/point4.h"
-#include "limes/subdiv/quad_runs.h"
 #include "limes/subdiv/regular_rules.h"
 
 namespace limes {
 
-/// The loops over a grid of n x n cells as QuadGrid lays it out, for one instruction set. All give
-/// the same bits.
+/// The loops over the points of a QuadGrid and the cells of its numbering, for one instruction set. All give the same bits.
 struct QuadKernel {
-  /// New face points of all cells.
-  void (*make_face_points)(const RegularMasks&, int n, const Point4* vertices, Point4* faces);
-  /// Vertices of the grid one step finer, margin included.
-  void (*refine)(const RegularMasks&, int n, const Point4* vertices, const Point4* faces,
-                 Point4* fine);
-  /// New positions in the order of QuadRuns.
-  void (*write_vertices)(const RegularMasks&, int n, const Point4* vertices, const Point4* faces,
-                         const QuadRuns::OldVertex*, int count, Vec3* out);
-  void (*write_edges)(const RegularMasks&, const Point4* vertices, const Point4* faces,
-                      const QuadRuns::NewEdge*, int count, Vec3* out);
-  void (*write_faces)(const Point4* faces, const std::uint16_t* order, int count, Vec3* out);
+  /// The grid one step finer, margin included, of a grid of n x n cells.
+  void (*refine)(RegularMasks, int n, const Point4* coarse, Point4* fine);
+  /// Some points of a grid, one after another.
+  /// @param offsets  of the points, counted in doubles
+  void (*write)(const Point4* grid, const std::uint16_t* offsets, int count, Vec3* out);
+  /// Corners of the cells of a grid one step finer, in the order of quadrisection (split.h).
+  /// @param corners     four to a cell
+  /// @param edge_ranks  the same of edges; their ids are those plus first_edge
+  void (*split)(int num_cells, const VertexId* corners, const std::int32_t* edge_ranks,
+                std::int32_t first_edge, std::int32_t first_face, VertexId* fine);
 
   /// For every machine.
   [[nodiscard]] static const QuadKernel& two_doubles();

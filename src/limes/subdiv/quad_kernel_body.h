@@ -2,105 +2,116 @@
 // operations and their order are the same.
 
 using Vector = double __attribute__((vector_size(LIMES_LANES * sizeof(double))));
+using LooseVector = Vector __attribute__((aligned(8), may_alias));
+using FourIds = std::int32_t __attribute__((vector_size(16), aligned(4), may_alias));
 constexpr int num_parts = 4 / LIMES_LANES;
 
 /// A Point4 as vectors.
 struct __attribute__((may_alias)) Point {
   Vector part[num_parts];
 };
-LIMES_INLINE const Point* as_points(const Point4* p) {
-  return reinterpret_cast<const Point*>(p);
-}
 
-LIMES_INLINE void store(const Point& p, Vec3& out) {
-  double* to = out.data();
-  to[0] = p.part[0][0];
-  to[1] = p.part[0][1];
-  to[2] = p.part[2 / LIMES_LANES][2 % LIMES_LANES];
-}
-
-LIMES_INLINE void face_point(const RegularMasks& m, const Point* low, const Point* high,
-                             Point& out) {
+LIMES_INLINE Point operator+(const Point& a, const Point& b) {
+  Point sum;
   for (int k = 0; k < num_parts; ++k)
-    out.part[k] =
-        m.face * ((low[0].part[k] + high[1].part[k]) + (low[1].part[k] + high[0].part[k]));
+    sum.part[k] = a.part[k] + b.part[k];
+  return sum;
 }
-
-LIMES_INLINE void edge_point(const RegularMasks& m, const Point& a, const Point& b, const Point& f,
-                             const Point& g, Point& out) {
+LIMES_INLINE Point operator*(double w, const Point& a) {
+  Point product;
   for (int k = 0; k < num_parts; ++k)
-    out.part[k] = m.edge_ends * (a.part[k] + b.part[k]) + m.edge_faces * (f.part[k] + g.part[k]);
+    product.part[k] = w * a.part[k];
+  return product;
 }
 
-/// @param v  the vertex, in lines of s points
-/// @param f  the face point at its lower left, in lines of t points
-LIMES_INLINE void vertex_point(const RegularMasks& m, const Point* v, int s, const Point* f, int t,
-                               Point& out) {
+LIMES_INLINE Point face_point(const RegularMasks& m, const Point& a, const Point& b, const Point& c,
+                              const Point& d) {
+  return m.face * ((a + c) + (b + d));
+}
+LIMES_INLINE Point edge_point(const RegularMasks& m, const Point& a, const Point& b, const Point& f,
+                              const Point& g) {
+  return m.edge_ends * (a + b) + m.edge_faces * (f + g);
+}
+
+/// Line 2 j + 1 of the fine grid, new faces and edges that run upwards, and line 2 j, edges that run
+/// to the right and old vertices; line by line in step, so that what both need is loaded once.
+/// @param v    vertex (0, j) of the coarse grid
+/// @param odd  vertex (0, 2 j + 1) of the fine grid
+LIMES_INLINE void refine_lines(const RegularMasks& m, int n, const Point* v, Point* odd) {
+  constexpr int s = QuadGrid::stride;
+  Point* even = odd - s;
+  const Point* below = odd - 2 * s;  // the face points one line below
+  Point left = face_point(m, v[-1], v[0], v[s], v[s - 1]);
+  odd[-1] = left;
+  even[-1] = edge_point(m, v[-1], v[0], left, below[-1]);
+  for (int i = 0; i <= n; ++i, ++v, odd += 2, even += 2, below += 2) {
+    const Point self = v[0], right = v[1], up = v[s];
+    const Point face = face_point(m, self, right, v[s + 1], up);
+    const Point lower = below[1];
+    odd[0] = edge_point(m, self, up, left, face);
+    odd[1] = face;
+    even[0] = m.vertex_self * self + m.vertex_neighbours * ((right + v[-1]) + (up + v[-s])) +
+              m.vertex_faces * ((below[-1] + face) + (lower + left));
+    even[1] = edge_point(m, self, right, face, lower);
+    left = face;
+  }
+}
+
+/// The same of the margin line below the grid, which has no line 2 j.
+LIMES_INLINE void refine_lowest_line(const RegularMasks& m, int n, const Point* v, Point* odd) {
+  constexpr int s = QuadGrid::stride;
+  Point left = face_point(m, v[-1], v[0], v[s], v[s - 1]);
+  odd[-1] = left;
+  for (int i = 0; i <= n; ++i, ++v, odd += 2) {
+    const Point face = face_point(m, v[0], v[1], v[s + 1], v[s]);
+    odd[0] = edge_point(m, v[0], v[s], left, face);
+    odd[1] = face;
+    left = face;
+  }
+}
+
+void refine(RegularMasks m, int n, const Point4* coarse, Point4* fine) {
+  const auto* v = reinterpret_cast<const Point*>(coarse);
+  auto* to = reinterpret_cast<Point*>(fine);
+  refine_lowest_line(m, n, v + QuadGrid::place(0, -1), to + QuadGrid::place(0, -1));
+  for (int j = 0; j <= n; ++j)
+    refine_lines(m, n, v + QuadGrid::place(0, j), to + QuadGrid::place(0, 2 * j + 1));
+}
+
+/// All four numbers of a point, of which the last falls on the next.
+LIMES_INLINE void copy_with_idle_lane(const double* from, double* to) {
   for (int k = 0; k < num_parts; ++k)
-    out.part[k] =
-        m.vertex_self * v[0].part[k] +
-        m.vertex_neighbours * ((v[1].part[k] + v[-1].part[k]) + (v[s].part[k] + v[-s].part[k])) +
-        m.vertex_faces * ((f[0].part[k] + f[t + 1].part[k]) + (f[1].part[k] + f[t].part[k]));
+    reinterpret_cast<LooseVector*>(to)[k] = reinterpret_cast<const LooseVector*>(from)[k];
 }
 
-void make_face_points(const RegularMasks& m, int n, const Point4* vertices, Point4* faces) {
-  const int s = n + 3;
-  const int t = n + 2;
-  Point* out = reinterpret_cast<Point*>(faces);
-  for (int j = 0; j < t; ++j) {
-    const Point* low = as_points(vertices) + j * s;
-    for (int i = 0; i < t; ++i)
-      face_point(m, low + i, low + i + s, *out++);
+void write(const Point4* grid, const std::uint16_t* offsets, int count, Vec3* out) {
+  if (count == 0) return;
+  const auto* from = reinterpret_cast<const double*>(grid);
+  LIMES_UNROLL
+  for (int k = 0; k < count - 1; ++k)
+    copy_with_idle_lane(from + offsets[k], out[k].data());
+  from += offsets[count - 1];
+  out[count - 1] = Vec3(from[0], from[1], from[2]);
+}
+
+/// Child k of a cell with the corners v, the edges e and the middle m is (v_k, e_k, m, e_{k-1}): the
+/// rows of a matrix with the columns v, e, m and e turned by one.
+void split(int num_cells, const VertexId* corners, const std::int32_t* edge_ranks,
+           std::int32_t first_edge, std::int32_t first_face, VertexId* fine) {
+  const auto* v = reinterpret_cast<const FourIds*>(corners);
+  const auto* ranks = reinterpret_cast<const FourIds*>(edge_ranks);
+  auto* child = reinterpret_cast<FourIds*>(fine);
+  FourIds m = first_face - FourIds{};
+  for (int c = 0; c < num_cells; ++c, child += 4, m += 1) {
+    const FourIds e = ranks[c] + first_edge;
+    const FourIds before = __builtin_shufflevector(e, e, 3, 0, 1, 2);
+    const FourIds low = __builtin_shufflevector(v[c], e, 0, 4, 1, 5);
+    const FourIds high = __builtin_shufflevector(v[c], e, 2, 6, 3, 7);
+    const FourIds low_end = __builtin_shufflevector(m, before, 0, 4, 1, 5);
+    const FourIds high_end = __builtin_shufflevector(m, before, 2, 6, 3, 7);
+    child[0] = __builtin_shufflevector(low, low_end, 0, 1, 4, 5);
+    child[1] = __builtin_shufflevector(low, low_end, 2, 3, 6, 7);
+    child[2] = __builtin_shufflevector(high, high_end, 0, 1, 4, 5);
+    child[3] = __builtin_shufflevector(high, high_end, 2, 3, 6, 7);
   }
-}
-
-void refine(const RegularMasks& m, int n, const Point4* vertices, const Point4* faces,
-            Point4* fine) {
-  const int s = n + 3;
-  const int t = n + 2;
-  const int fine_stride = 2 * n + 3;
-  for (int j = -1; j <= n; ++j) {
-    // Line 2 j + 1 of the fine grid: face points, and points of the edges that run upwards.
-    Point* odd = reinterpret_cast<Point*>(fine) + (2 * j + 2) * fine_stride;
-    const Point* f = as_points(faces) + (j + 1) * t;         // of cell (-1, j)
-    const Point* v = as_points(vertices) + (j + 1) * s + 1;  // vertex (0, j)
-    for (int i = 0; i < t; ++i)
-      odd[2 * i] = f[i];
-    for (int i = 0; i <= n; ++i)
-      edge_point(m, v[i], v[i + s], f[i], f[i + 1], odd[2 * i + 1]);
-    if (j < 0) continue;
-    // Line 2 j: points of the edges that run to the right, and of vertices.
-    Point* even = reinterpret_cast<Point*>(fine) + (2 * j + 1) * fine_stride;
-    for (int i = 0; i < t; ++i)
-      edge_point(m, v[i - 1], v[i], f[i], f[i - t], even[2 * i]);
-    for (int i = 0; i <= n; ++i)
-      vertex_point(m, v + i, s, f + i - t, t, even[2 * i + 1]);
-  }
-}
-
-void write_vertices(const RegularMasks& m, int n, const Point4* vertices, const Point4* faces,
-                    const QuadRuns::OldVertex* old, int count, Vec3* out) {
-  for (int k = 0; k < count; ++k) {
-    Point p;
-    vertex_point(m, as_points(vertices) + old[k].vertex, n + 3, as_points(faces) + old[k].face,
-                 n + 2, p);
-    store(p, out[k]);
-  }
-}
-
-void write_edges(const RegularMasks& m, const Point4* vertices, const Point4* faces,
-                 const QuadRuns::NewEdge* edges, int count, Vec3* out) {
-  const Point* v = as_points(vertices);
-  const Point* f = as_points(faces);
-  for (int k = 0; k < count; ++k) {
-    const QuadRuns::NewEdge& e = edges[k];
-    Point p;
-    edge_point(m, v[e.a], v[e.b], f[e.f], f[e.g], p);
-    store(p, out[k]);
-  }
-}
-
-void write_faces(const Point4* faces, const std::uint16_t* order, int count, Vec3* out) {
-  for (int k = 0; k < count; ++k)
-    store(as_points(faces)[order[k]], out[k]);
 }

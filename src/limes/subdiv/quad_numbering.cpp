@@ -13,8 +13,8 @@ Node middle(Node a, Node b) {
   return {static_cast<std::uint8_t>((a.i + b.i) / 2), static_cast<std::uint8_t>((a.j + b.j) / 2)};
 }
 
-EdgeNode edge_node(Node from, Node to, int side, int edge_length) {
-  EdgeNode e{middle(from, to), from, to, -1, 0};
+EdgeNode edge_node(Node from, Node to, HalfedgeId h, int side, int edge_length) {
+  EdgeNode e{middle(from, to), -1, 0, static_cast<std::uint16_t>(h.value)};
   const auto on_side = [&](int s, int along) {
     e.side = static_cast<std::int8_t>(s);
     e.step = static_cast<std::uint8_t>(along / edge_length);
@@ -36,36 +36,24 @@ QuadNumbering::QuadNumbering(int depth) : depth_(depth) {
   for (int birth = 1; birth <= depth; ++birth) {
     const Adjacency grid(topology, Adjacency::Check::edges);
     const auto node = [&](VertexId v) { return nodes[static_cast<std::size_t>(v.value)]; };
-    std::vector<EdgeNode> edges;
+    Step step;
     for (int e = 0; e < grid.num_edges(); ++e) {
       const HalfedgeId h = grid.halfedge(EdgeId(e));
-      edges.push_back(
-          edge_node(node(grid.from(h)), node(grid.to(h)), side(), side() >> (birth - 1)));
+      step.edges.push_back(
+          edge_node(node(grid.from(h)), node(grid.to(h)), h, side(), side() >> (birth - 1)));
     }
-    std::vector<Node> faces;
+    for (int h = 0; h < topology.num_corners(); ++h)
+      step.edge_at_corner.push_back(static_cast<std::uint16_t>(grid.edge(HalfedgeId(h)).value));
     for (int f = 0; f < topology.num_faces(); ++f) {
       const auto v = topology.face(FaceId(f));
-      faces.push_back(middle(node(v[0]), node(v[2])));
-      if (birth < depth) continue;
-      Cell cell{{node(v[0]), node(v[1]), node(v[2]), node(v[3])}, {}, faces.back()};
-      for (std::size_t k = 0; k < 4; ++k)
-        cell.edges[k] = middle(cell.corners[k], cell.corners[(k + 1) % 4]);
-      cells_.push_back(cell);
+      step.faces.push_back(middle(node(v[0]), node(v[2])));
     }
-    for (const EdgeNode& e : edges)
+    for (const EdgeNode& e : step.edges)
       nodes.push_back(e.node);
-    nodes.insert(nodes.end(), faces.begin(), faces.end());
-    edges_.push_back(std::move(edges));
-    faces_.push_back(std::move(faces));
+    nodes.insert(nodes.end(), step.faces.begin(), step.faces.end());
+    steps_.push_back(std::move(step));
     topology = quadrisect(grid);
   }
-}
-
-std::vector<EdgeNode> QuadNumbering::edge_run(int birth, OwnedSides owned) const {
-  std::vector<EdgeNode> run;
-  for (const EdgeNode& e : edges_[static_cast<std::size_t>(birth - 1)])
-    if (e.side < 0 || ((owned >> e.side) & 1U) != 0) run.push_back(e);
-  return run;
 }
 
 }  // namespace limes

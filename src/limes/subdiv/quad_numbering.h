@@ -29,16 +29,10 @@ class QuadNumbering {
     std::uint8_t i, j;  ///< on the finest grid
   };
   struct EdgeNode {
-    Node node;          ///< the middle of the edge
-    Node from, to;      ///< its ends
-    std::int8_t side;   ///< side it lies on, or -1
-    std::uint8_t step;  ///< position along that side, from corner `side` on
-  };
-  /// A face of the last grid but one with the vertices of its four children, and its place there.
-  struct Cell {
-    std::array<Node, 4> corners;
-    std::array<Node, 4> edges;
-    Node middle;
+    Node node;             ///< the middle of the edge
+    std::int8_t side;      ///< side it lies on, or -1
+    std::uint8_t step;     ///< position along that side, from corner `side` on
+    std::uint16_t corner;  ///< where the edge starts in its first cell: 4 cell + corner
   };
 
   static constexpr int max_depth = 5;
@@ -49,20 +43,27 @@ class QuadNumbering {
   [[nodiscard]] int depth() const { return depth_; }
   [[nodiscard]] int side() const { return 1 << depth_; }
 
-  /// Edges of the grid of step birth - 1 that belong to a quad, in order.
-  [[nodiscard]] std::vector<EdgeNode> edge_run(int birth, OwnedSides owned) const;
-  /// Middles of the faces of that grid, in order.
-  [[nodiscard]] const std::vector<Node>& face_run(int birth) const {
-    return faces_[static_cast<std::size_t>(birth - 1)];
+  /// Edges of the grid of step birth - 1, in order.
+  [[nodiscard]] const std::vector<EdgeNode>& edges(int birth) const { return step(birth).edges; }
+  /// Middles of the cells of that grid, in order.
+  [[nodiscard]] const std::vector<Node>& faces(int birth) const { return step(birth).faces; }
+  /// Edge that starts at a corner of a cell of that grid, by 4 cell + corner.
+  [[nodiscard]] const std::vector<std::uint16_t>& edge_at_corner(int birth) const {
+    return step(birth).edge_at_corner;
   }
-  /// Faces of the grid of step depth - 1, in order.
-  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
 
  private:
+  struct Step {
+    std::vector<EdgeNode> edges;
+    std::vector<Node> faces;
+    std::vector<std::uint16_t> edge_at_corner;
+  };
+  [[nodiscard]] const Step& step(int birth) const {
+    return steps_[static_cast<std::size_t>(birth - 1)];
+  }
+
   int depth_;
-  std::vector<std::vector<EdgeNode>> edges_;  // by birth - 1, all sides owned
-  std::vector<std::vector<Node>> faces_;
-  std::vector<Cell> cells_;
+  std::vector<Step> steps_;  // by birth - 1
 };
 
 }  // namespace limes

@@ -8,35 +8,50 @@
 
 namespace limes {
 
-/// The order in which a control quad writes its vertices, by which of its sides it owns: what
-/// QuadNumbering says, as indices into the grids of the last two steps.
-struct QuadRuns {
-  /// A vertex of the last grid but one that moves: its place, and the face point at its lower left.
-  struct OldVertex {
-    std::uint16_t vertex, face;
-  };
-  /// A new vertex on an edge of that grid: the edge's ends, and the face points beside it.
-  struct NewEdge {
-    std::uint16_t a, b, f, g;
-  };
-  std::vector<OldVertex> old_vertices;  ///< runs of birth 1 .. depth - 1, edges then faces
-  std::vector<NewEdge> new_edges;       ///< run of birth depth
-  std::vector<std::uint16_t> new_faces;
-
-  /// Place on the finest grid, without margin, (side + 1) j + i, of all vertices but the corners:
-  /// runs of birth 1 .. depth, edges then faces.
-  std::vector<std::uint16_t> places;
-
-  /// Number within its run of the edge vertex at `step` along a side that the quad owns.
-  [[nodiscard]] int side_rank(int birth, int side, int step) const {
-    return side_rank_[static_cast<std::size_t>(side)]
-                     [static_cast<std::size_t>((1 << (birth - 1)) - 1 + step)];
-  }
-
+/// The order of a control quad's vertices in its runs, by which of its sides it owns: what
+/// QuadNumbering says, as indices that loops can use.
+class QuadRuns {
+ public:
   QuadRuns(const QuadNumbering& numbering, OwnedSides owned);
 
+  /// Vertices of the edge run of a birth; the face run has one per cell.
+  [[nodiscard]] int num_edges(int birth) const { return step(birth).num_edges; }
+  /// Where the vertices of all runs lie in the finest QuadGrid, counted in doubles: runs of birth
+  /// 1 .. depth, edges then faces.
+  [[nodiscard]] const std::vector<std::uint16_t>& offsets() const { return offsets_; }
+  /// Number within the edge run of the edge that starts at a corner of a cell of the grid of step
+  /// birth - 1, by 4 cell + corner; 0 for edges on sides of other owners.
+  [[nodiscard]] const std::vector<std::int32_t>& edge_ranks(int birth) const {
+    return step(birth).edge_ranks;
+  }
+  /// Edges along a side, from corner `side` on: where their vertices are among the corners of the
+  /// finer cells, twice each.
+  struct SideVertex {
+    std::uint16_t first, second;
+  };
+  [[nodiscard]] const SideVertex* side_vertices(int birth, int side) const {
+    return step(birth).side_vertices[static_cast<std::size_t>(side)].data();
+  }
+  /// And their numbers within the edge run.
+  [[nodiscard]] const std::uint16_t* side_ranks(int birth, int side) const {
+    return step(birth).side_ranks[static_cast<std::size_t>(side)].data();
+  }
+
  private:
-  std::array<std::array<std::uint16_t, 1 << QuadNumbering::max_depth>, 4> side_rank_{};
+  template <class T>
+  using BySide = std::array<std::array<T, 1 << (QuadNumbering::max_depth - 1)>, 4>;
+  struct Step {
+    int num_edges = 0;
+    std::vector<std::int32_t> edge_ranks;
+    BySide<SideVertex> side_vertices{};
+    BySide<std::uint16_t> side_ranks{};
+  };
+  [[nodiscard]] const Step& step(int birth) const {
+    return steps_[static_cast<std::size_t>(birth - 1)];
+  }
+
+  std::vector<Step> steps_;  // by birth - 1
+  std::vector<std::uint16_t> offsets_;
 };
 
 }  // namespace limes

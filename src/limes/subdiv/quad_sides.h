@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 
 namespace limes {
 
@@ -31,17 +30,5 @@ class QuadSide {
   std::size_t side_;
   int n_;
 };
-
-/// Where a vertex in the middle of a side was born: as the middle of edge `step` of the grid of
-/// step birth - 1.
-struct SideStep {
-  int birth, step;
-};
-
-/// @param along  position on a side of 2^depth edges, 0 < along < 2^depth
-[[nodiscard]] inline SideStep side_step(int along, int depth) {
-  const int zeros = std::countr_zero(static_cast<unsigned>(along));
-  return {depth - zeros, along >> (zeros + 1)};
-}
 
 }  // namespace limes

@@ -161,80 +161,56 @@ int StructuredRefinement::first_of_face_run(FaceId f, int birth) const {
   return first_face_vertex_[static_cast<std::size_t>(birth)] + f.value * n * n;
 }
 
-void StructuredRefinement::number_vertices(FaceId f, std::span<int> ids) const {
-  const Quad& q = quad(f);
-  const int side = numbering_.side();
-  const std::uint16_t* place = runs(q).places.data();
-  const auto put = [&](int first, int count) {
-    for (int k = 0; k < count; ++k)
-      ids[*place++] = first + k;
-  };
+void StructuredRefinement::corners(std::span<VertexId> out) const {
+  LIMES_ASSERT(static_cast<std::int64_t>(out.size()) == std::int64_t{4} * num_faces());
+  const std::int64_t per_quad = std::int64_t{4} << (2 * numbering_.depth());
+  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
+    check_interrupt();
+    for (std::int64_t f = begin; f < end; ++f)
+      split_quad(FaceId(f), out.data() + f * per_quad);
+  });
+}
+
+void StructuredRefinement::split_quad(FaceId f, VertexId* out) const {
+  // The last step is written to its place, those before to two buffers in turn.
+  constexpr std::size_t most = std::size_t{1} << (2 * QuadNumbering::max_depth);
+  thread_local std::array<std::array<VertexId, most>, 2> buffers;
+  const QuadRuns& r = runs(quad(f));
+  const auto borrowed = borrowed_sides(f);
+  const VertexId* corners = control_->topology().face(f).data();
   for (int birth = 1; birth <= numbering_.depth(); ++birth) {
-    const int n = 1 << (birth - 1);
-    put(first_of_edge_run(f, birth), 2 * n * (n - 1) + n * std::popcount(q.owned));
-    put(first_of_face_run(f, birth), n * n);
-  }
-  for (int s = 0; s < 4; ++s) {
-    const QuadSide at(s, side);
-    const auto id = [&](int along) -> int& {
-      const GridPoint p = at.node(along);
-      return ids[static_cast<std::size_t>((side + 1) * p.j + p.i)];
-    };
-    id(0) = control_->topology().face(f)[static_cast<std::size_t>(s)].value;
-    if (((q.owned >> s) & 1U) != 0) continue;
-    const HalfedgeId twin = control_->twin(control_->topology().halfedge(f, s));
-    const FaceId owner = control_->face(twin);
-    const QuadRuns& others = runs(quad(owner));
-    for (int birth = 1; birth <= numbering_.depth(); ++birth) {
-      const int first = first_of_edge_run(owner, birth);
-      const int last_step = (1 << (birth - 1)) - 1;
-      for (int step = 0; step <= last_step; ++step)
-        id((2 * step + 1) << (numbering_.depth() - birth)) =
-            first + others.side_rank(birth, control_->corner_index(twin), last_step - step);
-    }
+    VertexId* fine =
+        birth == numbering_.depth() ? out : buffers[static_cast<std::size_t>(birth % 2)].data();
+    kernel_->split(1 << (2 * birth - 2), corners, r.edge_ranks(birth).data(),
+                   first_of_edge_run(f, birth), first_of_face_run(f, birth), fine);
+    for (int s = 0; s < 4; ++s)
+      if (borrowed[static_cast<std::size_t>(s)].runs)
+        borrow_side(r.side_vertices(birth, s), borrowed[static_cast<std::size_t>(s)], birth, fine);
+    corners = fine;
   }
 }
 
-void StructuredRefinement::corners(std::span<VertexId> out) const {
-  LIMES_ASSERT(static_cast<std::int64_t>(out.size()) == std::int64_t{4} * num_faces());
-  const int stride = numbering_.side() + 1;
-  const auto place = [&](QuadNumbering::Node n) {
-    return static_cast<std::uint16_t>(stride * n.j + n.i);
-  };
-  struct Places {
-    std::array<std::uint16_t, 4> corners, edges;
-    std::uint16_t middle;
-  };
-  std::vector<Places> cells;
-  for (const QuadNumbering::Cell& c : numbering_.cells()) {
-    Places p{{}, {}, place(c.middle)};
-    for (std::size_t k = 0; k < 4; ++k) {
-      p.corners[k] = place(c.corners[k]);
-      p.edges[k] = place(c.edges[k]);
-    }
-    cells.push_back(p);
+std::array<StructuredRefinement::BorrowedSide, 4> StructuredRefinement::borrowed_sides(
+    FaceId f) const {
+  std::array<BorrowedSide, 4> borrowed{};
+  for (int s = 0; s < 4; ++s) {
+    if (((quad(f).owned >> s) & 1U) != 0) continue;
+    const HalfedgeId twin = control_->twin(control_->topology().halfedge(f, s));
+    const FaceId owner = control_->face(twin);
+    borrowed[static_cast<std::size_t>(s)] = {owner, control_->corner_index(twin),
+                                             &runs(quad(owner))};
   }
-  constexpr int most = (1 << QuadNumbering::max_depth) + 1;
-  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    std::array<int, most * most> ids;
-    for (std::int64_t f = begin; f < end; ++f) {
-      number_vertices(FaceId(f), ids);
-      VertexId* corner = out.data() + f * (std::int64_t{16} * static_cast<int>(cells.size()));
-      for (const Places& p : cells) {
-        const VertexId middle(ids[p.middle]);
-        VertexId previous(ids[p.edges[3]]);
-        for (std::size_t k = 0; k < 4; ++k, corner += 4) {
-          const VertexId edge(ids[p.edges[k]]);
-          corner[0] = VertexId(ids[p.corners[k]]);
-          corner[1] = edge;
-          corner[2] = middle;
-          corner[3] = previous;
-          previous = edge;
-        }
-      }
-    }
-  });
+  return borrowed;
+}
+
+void StructuredRefinement::borrow_side(const QuadRuns::SideVertex* vertices,
+                                       const BorrowedSide& side, int birth,
+                                       VertexId* corners) const {
+  const int n = 1 << (birth - 1);
+  const int first = first_of_edge_run(side.owner, birth);
+  const std::uint16_t* rank = side.runs->side_ranks(birth, side.side) + n;  // in reverse order
+  for (int k = 0; k < n; ++k, ++vertices)
+    corners[vertices->first] = corners[vertices->second] = VertexId(first + *--rank);
 }
 
 namespace {

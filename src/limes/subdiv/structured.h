@@ -10,6 +10,7 @@
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/corner_rings.h"
 #include "limes/subdiv/quad_grid.h"
+#include "limes/subdiv/quad_kernel.h"
 #include "limes/subdiv/quad_runs.h"
 
 namespace limes {
@@ -67,6 +68,12 @@ class StructuredRefinement {
     unsigned own_corners;  // regular corners that this quad writes
     int sides_before;      // sides owned by the quads before this one
   };
+  /// A side whose vertices another quad has numbered.
+  struct BorrowedSide {
+    FaceId owner;
+    int side = 0;  // as the owner counts
+    const QuadRuns* runs = nullptr;
+  };
   void number_runs();
   void number_sides(const Sharpness& sharpness);
   void gather_grid(FaceId f);
@@ -87,8 +94,10 @@ class StructuredRefinement {
   void take_corners(const Quad& q, int step, QuadGrid& grid) const;
   void write_runs(FaceId f, const QuadGrid& grid, std::span<Vec3> fine) const;
   void write_corners(const Quad& q, const QuadGrid& grid, std::span<Vec3> fine) const;
-  void write_lines(FaceId f, const QuadGrid& grid, std::span<Vec3> fine) const;
-  void number_vertices(FaceId f, std::span<int> ids) const;
+  void split_quad(FaceId f, VertexId* out) const;
+  [[nodiscard]] std::array<BorrowedSide, 4> borrowed_sides(FaceId f) const;
+  void borrow_side(const QuadRuns::SideVertex* vertices, const BorrowedSide& side, int birth,
+                   VertexId* corners) const;
 
   const Adjacency* control_;
   Features features_;
