@@ -1,6 +1,6 @@
 #include "limes/subdiv/corner_rings.h"
 
-#include <array>
+#include <algorithm>
 
 #include "limes/core/error.h"
 #include "limes/subdiv/crease.h"
@@ -11,13 +11,10 @@ namespace limes {
 /// its edges, and the far corners 1 + num_edges + i of its faces.
 struct CornerRings::Workspace {
   std::vector<Point4> vertices, faces, fine;
-  std::vector<float> edge_sharpness, child_edge_sharpness;
-  float sharpness = 0;
-  std::vector<VertexId> neighbours;
-  std::vector<FaceId> face_ids;
-  Stencil stencil;
+  RingPattern pattern;  // and rules, of a ring that does not share its rules
+  RingRules rules;
 
-  Point4 value() const {
+  Point4 value(const Stencil& stencil) const {
     return apply_stencil<Point4>(
         stencil, [&](int v) { return vertices[static_cast<std::size_t>(v)]; },
         [&](int f) { return faces[static_cast<std::size_t>(f)]; });
@@ -28,9 +25,11 @@ CornerRings::CornerRings(const Adjacency& adjacency, const Features& features, c
                          int num_steps)
     : adjacency_(&adjacency),
       scheme_(&scheme),
+      masks_(regular_masks(scheme).value()),
       crease_method_(features.crease_method),
       num_steps_(num_steps),
-      ring_of_(static_cast<std::size_t>(adjacency.topology().num_vertices()), -1) {
+      ring_of_(static_cast<std::size_t>(adjacency.topology().num_vertices()), -1),
+      rules_(scheme, features.crease_method) {
   const Sharpness sharpness(adjacency, features);
   for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
     add_if_irregular(VertexId(v), features, sharpness);
@@ -60,15 +59,15 @@ void CornerRings::add_if_irregular(VertexId v, const Features& features,
     return;
   }
   ring_of_[v] = size();
-  rings_.push_back({v, sharpness.vertex(v), num_edges, num_faces, first_edge, points_.size()});
+  Ring ring{v, sharpness.vertex(v), num_edges, num_faces, first_edge, points_.size(), nullptr};
+  ring.rules = rules_.find(pattern(ring), num_steps_);
+  rings_.push_back(ring);
   points_.resize(points_.size() + static_cast<std::size_t>((num_steps_ - 1) * (num_edges + 1)));
 }
 
-int CornerRings::turned(int ring, int edge, int by) const {
-  const Ring& r = get(ring);
-  const int k = edge + by;
-  if (r.num_edges > r.num_faces) return k >= 0 && k < r.num_edges ? k : -1;
-  return (k % r.num_edges + r.num_edges) % r.num_edges;
+RingPattern CornerRings::pattern(const Ring& ring) const {
+  const auto first = edge_sharpness_.begin() + static_cast<std::ptrdiff_t>(ring.first_edge);
+  return {ring.num_faces, ring.sharpness, {first, first + ring.num_edges}};
 }
 
 void CornerRings::load(const Ring& ring, std::span<const Vec3> control, Workspace& w) const {
@@ -87,63 +86,38 @@ void CornerRings::load(const Ring& ring, std::span<const Vec3> control, Workspac
     if (i + 1 == faces && edges > faces)
       w.vertices[1 + edges - 1] = at(adjacency_->from(adjacency_->prev(h)));
   }
-  w.sharpness = ring.sharpness;
-  w.edge_sharpness.assign(edge_sharpness_.data() + ring.first_edge,
-                          edge_sharpness_.data() + ring.first_edge + edges);
-  w.child_edge_sharpness.resize(edges);
-  w.neighbours.resize(edges);
-  for (std::size_t k = 0; k < edges; ++k)
-    w.neighbours[k] = VertexId(static_cast<std::int64_t>(1 + k));
-  w.face_ids.resize(faces);
-  for (std::size_t i = 0; i < faces; ++i)
-    w.face_ids[i] = FaceId(static_cast<std::int64_t>(i));
 }
 
-void CornerRings::advance(const Ring& ring, Workspace& w) const {
-  const int edges = ring.num_edges;
-  const int faces = ring.num_faces;
-  const auto slot = [](int i) { return static_cast<std::size_t>(i); };
-  for (int i = 0; i < faces; ++i) {
-    const std::array<VertexId, 4> corners{VertexId(0), VertexId(1 + i), VertexId(1 + edges + i),
-                                          VertexId(1 + (i + 1) % edges)};
-    w.stencil.clear();
-    scheme_->face_rule({FaceId(i), corners, {}}, {}, w.stencil);
-    w.fine[slot(1 + edges + i)] = w.value();
+void CornerRings::advance(const Ring& ring, const RingRules& rules, Workspace& w) const {
+  const auto edges = static_cast<std::size_t>(ring.num_edges);
+  const auto faces = static_cast<std::size_t>(ring.num_faces);
+  const std::vector<Point4>& v = w.vertices;
+  for (std::size_t i = 0; i < faces; ++i) {
+    const std::size_t next = i + 1 == edges ? 0 : i + 1;
+    w.faces[i] = masks_.face * ((v[0] + v[1 + edges + i]) + (v[1 + i] + v[1 + next]));
+    w.fine[1 + edges + i] = w.faces[i];
   }
-  for (int i = 0; i < faces; ++i)
-    w.faces[slot(i)] = w.fine[slot(1 + edges + i)];
-  for (int k = 0; k < edges; ++k) {
-    const bool boundary = edges > faces && (k == 0 || k == edges - 1);
-    const float s = w.edge_sharpness[slot(k)];
-    w.child_edge_sharpness[slot(k)] = decayed_at_vertex(crease_method_, slot(k), w.edge_sharpness);
-    w.stencil.clear();
-    scheme_->edge_rule({.ends = {VertexId(0), VertexId(1 + k)},
-                        .faces = {FaceId(boundary && k > 0 ? k - 1 : k % faces),
-                                  boundary ? FaceId() : FaceId((k + faces - 1) % faces)},
-                        .face_sizes = {4, boundary ? 0 : 4},
-                        .num_faces = boundary ? 1 : 2,
-                        .opposite = {},
-                        .sharpness = s,
-                        .child_sharp = is_sharp(decayed(s))},
-                       {}, w.stencil);
-    w.fine[slot(1 + k)] = w.value();
-  }
-  w.stencil.clear();
-  scheme_->vertex_rule({VertexId(0), w.neighbours, w.face_ids, w.sharpness, decayed(w.sharpness),
-                        w.edge_sharpness, w.child_edge_sharpness},
-                       {}, w.stencil);
-  w.fine[0] = w.value();
+  for (std::size_t k = 0; k < edges; ++k)
+    w.fine[1 + k] = w.value(rules.edges[k]);
+  w.fine[0] = w.value(rules.vertex);
   std::swap(w.vertices, w.fine);
-  std::swap(w.edge_sharpness, w.child_edge_sharpness);
-  w.sharpness = decayed(w.sharpness);
 }
 
 void CornerRings::refine(int ring, std::span<const Vec3> control, Vec3& fine) {
   thread_local Workspace w;  // kept, so that repeated calls take no memory
   const Ring& r = get(ring);
   load(r, control, w);
+  const RingRulesCache::Entry* shared = r.rules;
+  if (!shared) w.pattern = pattern(r);
   for (int step = 1; step <= num_steps_; ++step) {
-    advance(r, w);
+    if (shared) {
+      advance(r, shared->rules, w);
+      shared = shared->next;
+    } else {
+      write_ring_rules(*scheme_, crease_method_, w.pattern, w.rules);
+      advance(r, w.rules, w);
+      w.pattern = decayed(crease_method_, w.pattern);
+    }
     if (step == num_steps_) break;
     Point4* out =
         &points_[r.first_point + static_cast<std::size_t>((step - 1) * (r.num_edges + 1))];

@@ -5,18 +5,19 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/point4.h"
-#include "limes/subdiv/scheme.h"
+#include "limes/subdiv/regular_rules.h"
+#include "limes/subdiv/ring_rules.h"
 
 namespace limes {
 
 /// The faces around every vertex that is not regular (extraordinary, on a boundary or crease, sharp),
 /// through all steps of a refinement. A scheme of reach one maps such a ring onto itself, so the
 /// general rules are applied to the ring alone; the grids around it take from it what they cannot
-/// know.
+/// know. Rings of one kind, by valence and sharpness, share their rules.
 class CornerRings {
  public:
   /// Of an all-quad mesh. Keeps references.
-  /// Precondition: no semi-sharp edges with Chaikin's method, whose sharpness varies along an edge
+  /// Precondition: the scheme has RegularMasks; no semi-sharp edges with Chaikin's method, whose sharpness varies along an edge
   CornerRings(const Adjacency& adjacency, const Features& features, const Scheme& scheme,
               int num_steps);
 
@@ -26,7 +27,16 @@ class CornerRings {
 
   /// Edge `by` places after an edge of a ring, or -1 beyond the ring's ends. Edges are numbered along
   /// the ring from Adjacency::ring_start() on, and face k lies between edges k and k + 1.
-  [[nodiscard]] int turned(int ring, int edge, int by) const;
+  [[nodiscard]] int turned(int ring, int edge, int by) const {
+    const Ring& r = get(ring);
+    int k = edge + by;
+    if (r.num_edges > r.num_faces) return k >= 0 && k < r.num_edges ? k : -1;
+    while (k >= r.num_edges)
+      k -= r.num_edges;
+    while (k < 0)
+      k += r.num_edges;
+    return k;
+  }
 
   /// Refines one ring. Different rings may be refined at the same time.
   /// @param fine  position of the ring's vertex after the last step, written
@@ -45,8 +55,9 @@ class CornerRings {
     VertexId vertex;
     float sharpness;
     int num_edges, num_faces;
-    std::size_t first_edge;   // in edge_sharpness_
-    std::size_t first_point;  // in points_: num_edges + 1 for each step
+    std::size_t first_edge;              // in edge_sharpness_
+    std::size_t first_point;             // in points_: num_edges + 1 for each step
+    const RingRulesCache::Entry* rules;  // null: not shared
   };
   struct Workspace;
 
@@ -57,16 +68,19 @@ class CornerRings {
   }
   void add_if_irregular(VertexId v, const Features& features, const Sharpness& sharpness);
   void load(const Ring& ring, std::span<const Vec3> control, Workspace& w) const;
-  void advance(const Ring& ring, Workspace& w) const;
+  void advance(const Ring& ring, const RingRules& rules, Workspace& w) const;
+  [[nodiscard]] RingPattern pattern(const Ring& ring) const;
 
   const Adjacency* adjacency_;
   const Scheme* scheme_;
+  RegularMasks masks_;
   CreaseMethod crease_method_;
   int num_steps_;
   IdArray<VertexId, int> ring_of_;
   std::vector<Ring> rings_;
   std::vector<float> edge_sharpness_;
   std::vector<Point4> points_;
+  RingRulesCache rules_;
 };
 
 }  // namespace limes
