@@ -1,4 +1,6 @@
 #include "limes/subdiv/uniform.h"
+#include "limes/subdiv/structured.h"
+#include "limes/subdiv/structured_triangles.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +16,7 @@
 #include "limes/io/io.h"
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/schemes.h"
-#include "subdiv/fits.h"
+#include "subdiv/zoo.h"
 
 // Uniform refinement against one general step after another: the same numbers, the same bits.
 
@@ -170,6 +172,27 @@ TEST(UniformRefinement, HasTheBitsOfSingleStepsWithAnySharpness) {
   }
 }
 
+TEST(UniformRefinement, TrianglesHaveTheBitsOfSingleStepsWithAnySharpness) {
+  std::mt19937 random(12);
+  const Scheme& scheme = find_scheme("loop");
+  for (int i = 0; i < 6; ++i) {
+    for (const Mesh& shape :
+         {shapes::icosahedron(), shapes::tetrahedron(), triangulated(shapes::grid(4, 3)),
+          triangulated(shapes::torus(6, 5)), triangulated(shapes::disk(5, 2)),
+          triangulated(shapes::half_disk(3, 2))}) {
+      expect_same_as_step_by_step(triangulated(bumpy(shape)), BoundaryRule::edges, scheme);
+      Mesh mesh = with_random_tags(shape, random);
+      ASSERT_TRUE(StructuredTriangles::applies(
+          mesh.topology, resolve_tags(Adjacency(mesh.topology), mesh.tags, BoundaryRule::edges),
+          scheme));
+      expect_same_as_step_by_step(mesh, BoundaryRule::edges, scheme);
+      expect_update_renews_all(mesh, scheme);
+      mesh.tags.crease_method = CreaseMethod::chaikin;
+      expect_same_as_step_by_step(mesh, BoundaryRule::edges, scheme);
+    }
+  }
+}
+
 /// More than 65,536 of them, as painted weights give.
 TEST(UniformRefinement, TakesADifferentSharpnessOnEveryEdge) {
   Mesh mesh = shapes::grid(190, 190);
@@ -262,6 +285,29 @@ TEST(UniformRefinement, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_TRUE(same_bits(results[0], results[2]));
 }
 #endif
+
+TEST(TriangleKernel, GivesTheSameBitsWithEveryInstructionSet) {
+  const RegularTriangleMasks masks = regular_triangle_masks(find_scheme("loop")).value();
+  const TriangleNumbering numbering(4);
+  const TriangleRuns runs(numbering, 0b101);
+  const auto points = [&](const TriangleKernel& kernel) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    TriangleGrid grid;
+    TriangleGrid fine;
+    for (int j = -1; j <= 9; ++j)
+      for (int i = -1; i + j <= 9; ++i)
+        grid.point(i, j) = Point4(Vec3(unit(random), unit(random), unit(random)));
+    kernel.refine(masks, 8, numbering.axes(4).data(), grid.points(), fine.points());
+    std::vector<Vec3> out(runs.offsets().size());
+    kernel.write(fine.points(), runs.offsets().data(), static_cast<int>(out.size()), out.data());
+    for (int k = 0; k <= 17; ++k)  // the margin
+      for (const Point4& p : {fine.point(k, -1), fine.point(-1, k), fine.point(17 - k, k)})
+        p.store(out.emplace_back());
+    return out;
+  };
+  EXPECT_TRUE(same_bits(points(TriangleKernel::two_doubles()), points(TriangleKernel::best())));
+}
 
 }  // namespace
 }  // namespace limes

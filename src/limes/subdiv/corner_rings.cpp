@@ -8,7 +8,7 @@
 namespace limes {
 
 /// Points of one ring while it is refined. Local vertices are the ring's vertex 0, the ends 1 + k of
-/// its edges, and the far corners 1 + num_edges + i of its faces.
+/// its edges, and the far corners 1 + num_edges + i of its faces if they are quads.
 struct CornerRings::Workspace {
   std::vector<Point4> vertices, faces, fine;
   RingPattern pattern;  // and rules, of a ring that does not share its rules
@@ -25,11 +25,12 @@ CornerRings::CornerRings(const Adjacency& adjacency, const Features& features, c
                          int num_steps)
     : adjacency_(&adjacency),
       scheme_(&scheme),
-      masks_(regular_masks(scheme).value()),
+      triangles_(scheme.split == Split::triangles),
       crease_method_(features.crease_method),
       num_steps_(num_steps),
       ring_of_(static_cast<std::size_t>(adjacency.topology().num_vertices()), -1),
       rules_(scheme, features.crease_method) {
+  if (!triangles_) masks_ = regular_masks(scheme).value();
   const Sharpness sharpness(adjacency, features);
   for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
     add_if_irregular(VertexId(v), features, sharpness);
@@ -42,7 +43,8 @@ void CornerRings::add_if_irregular(VertexId v, const Features& features,
   const int num_faces = adjacency_->num_ring_faces(v);
   const int num_edges = adjacency_->valence(v);
   const std::size_t first_edge = edge_sharpness_.size();
-  bool regular = num_faces == 4 && num_edges == 4 && !is_sharp(sharpness.vertex(v));
+  const int valence = triangles_ ? 6 : 4;
+  bool regular = num_faces == valence && num_edges == valence && !is_sharp(sharpness.vertex(v));
   HalfedgeId h = start;
   for (int i = 0; i < num_faces; ++i, h = adjacency_->ring_next(h)) {
     edge_sharpness_.push_back(sharpness.edge(adjacency_->edge(h)));
@@ -74,7 +76,7 @@ void CornerRings::load(const Ring& ring, std::span<const Vec3> control, Workspac
   const auto edges = static_cast<std::size_t>(ring.num_edges);
   const auto faces = static_cast<std::size_t>(ring.num_faces);
   const auto at = [&](VertexId v) { return Point4(control[static_cast<std::size_t>(v.value)]); };
-  w.vertices.resize(1 + edges + faces);
+  w.vertices.resize(1 + edges + (triangles_ ? 0 : faces));
   w.fine.resize(w.vertices.size());
   w.faces.resize(faces);
   w.vertices[0] = at(ring.vertex);
@@ -82,7 +84,7 @@ void CornerRings::load(const Ring& ring, std::span<const Vec3> control, Workspac
   for (std::size_t i = 0; i < faces; ++i, h = adjacency_->ring_next(h)) {
     const HalfedgeId out = adjacency_->next(h);
     w.vertices[1 + i] = at(adjacency_->from(out));
-    w.vertices[1 + edges + i] = at(adjacency_->to(out));
+    if (!triangles_) w.vertices[1 + edges + i] = at(adjacency_->to(out));
     if (i + 1 == faces && edges > faces)
       w.vertices[1 + edges - 1] = at(adjacency_->from(adjacency_->prev(h)));
   }
@@ -92,7 +94,7 @@ void CornerRings::advance(const Ring& ring, const RingRules& rules, Workspace& w
   const auto edges = static_cast<std::size_t>(ring.num_edges);
   const auto faces = static_cast<std::size_t>(ring.num_faces);
   const std::vector<Point4>& v = w.vertices;
-  for (std::size_t i = 0; i < faces; ++i) {
+  for (std::size_t i = 0; i < faces && !triangles_; ++i) {
     const std::size_t next = i + 1 == edges ? 0 : i + 1;
     w.faces[i] = masks_.face * ((v[0] + v[1 + edges + i]) + (v[1 + i] + v[1 + next]));
     w.fine[1 + edges + i] = w.faces[i];

@@ -16,7 +16,7 @@ namespace limes {
 /// know. Rings of one kind, by valence and sharpness, share their rules.
 class CornerRings {
  public:
-  /// Of an all-quad mesh. Keeps references.
+  /// Of a mesh of quads, or of triangles. Keeps references.
   /// Precondition: the scheme has RegularMasks; no semi-sharp edges with Chaikin's method, whose sharpness varies along an edge
   CornerRings(const Adjacency& adjacency, const Features& features, const Scheme& scheme,
               int num_steps);
@@ -73,7 +73,8 @@ class CornerRings {
 
   const Adjacency* adjacency_;
   const Scheme* scheme_;
-  RegularMasks masks_;
+  RegularMasks masks_{};  // of quads
+  bool triangles_;
   CreaseMethod crease_method_;
   int num_steps_;
   IdArray<VertexId, int> ring_of_;

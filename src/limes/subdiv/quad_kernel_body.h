@@ -1,28 +1,9 @@
 // No include guard: compiled once for every instruction set, see limes/core/instruction_sets.h. The
 // operations and their order are the same.
 
-using Vector = double __attribute__((vector_size(LIMES_LANES * sizeof(double))));
-using LooseVector = Vector __attribute__((aligned(8), may_alias));
+#include "limes/subdiv/point_body.h"
+
 using FourIds = std::int32_t __attribute__((vector_size(16), aligned(4), may_alias));
-constexpr int num_parts = 4 / LIMES_LANES;
-
-/// A Point4 as vectors.
-struct __attribute__((may_alias)) Point {
-  Vector part[num_parts];
-};
-
-LIMES_INLINE Point operator+(const Point& a, const Point& b) {
-  Point sum;
-  for (int k = 0; k < num_parts; ++k)
-    sum.part[k] = a.part[k] + b.part[k];
-  return sum;
-}
-LIMES_INLINE Point operator*(double w, const Point& a) {
-  Point product;
-  for (int k = 0; k < num_parts; ++k)
-    product.part[k] = w * a.part[k];
-  return product;
-}
 
 LIMES_INLINE Point face_point(const RegularMasks& m, const Point& a, const Point& b, const Point& c,
                               const Point& d) {
@@ -76,22 +57,6 @@ void refine(RegularMasks m, int n, const Point4* coarse, Point4* fine) {
   refine_lowest_line(m, n, v + QuadGrid::place(0, -1), to + QuadGrid::place(0, -1));
   for (int j = 0; j <= n; ++j)
     refine_lines(m, n, v + QuadGrid::place(0, j), to + QuadGrid::place(0, 2 * j + 1));
-}
-
-/// All four numbers of a point, of which the last falls on the next.
-LIMES_INLINE void copy_with_idle_lane(const double* from, double* to) {
-  for (int k = 0; k < num_parts; ++k)
-    reinterpret_cast<LooseVector*>(to)[k] = reinterpret_cast<const LooseVector*>(from)[k];
-}
-
-void write(const Point4* grid, const std::uint16_t* offsets, int count, Vec3* out) {
-  if (count == 0) return;
-  const auto* from = reinterpret_cast<const double*>(grid);
-  LIMES_UNROLL
-  for (int k = 0; k < count - 1; ++k)
-    copy_with_idle_lane(from + offsets[k], out[k].data());
-  from += offsets[count - 1];
-  out[count - 1] = Vec3(from[0], from[1], from[2]);
 }
 
 /// Child k of a cell with the corners v, the edges e and the middle m is (v_k, e_k, m, e_{k-1}): the

@@ -23,6 +23,9 @@ void write_ring_rules(const Scheme& scheme, CreaseMethod method, const RingPatte
                       RingRules& out) {
   const int edges = pattern.num_edges();
   const int faces = pattern.num_faces;
+  const bool triangles = scheme.split == Split::triangles;
+  const int face_size = triangles ? 3 : 4;
+  const auto end = [&](int k) { return VertexId(1 + (k + edges) % edges); };
   out.edges.resize(static_cast<std::size_t>(edges));
   std::vector<VertexId> neighbours;
   for (int k = 0; k < edges; ++k) {
@@ -34,9 +37,10 @@ void write_ring_rules(const Scheme& scheme, CreaseMethod method, const RingPatte
     scheme.edge_rule({.ends = {VertexId(0), VertexId(1 + k)},
                       .faces = {FaceId(boundary && k > 0 ? k - 1 : k % faces),
                                 boundary ? FaceId() : FaceId((k + faces - 1) % faces)},
-                      .face_sizes = {4, boundary ? 0 : 4},
+                      .face_sizes = {face_size, boundary ? 0 : face_size},
                       .num_faces = boundary ? 1 : 2,
-                      .opposite = {},
+                      .opposite = {triangles ? end(boundary && k > 0 ? k - 1 : k + 1) : VertexId(),
+                                   triangles && !boundary ? end(k - 1) : VertexId()},
                       .sharpness = s,
                       .child_sharp = is_sharp(decayed(s))},
                      {}, stencil);

@@ -7,7 +7,7 @@
 
 namespace limes {
 
-/// What the rules of a scheme see of a ring of quads around a vertex. On the boundary there is one
+/// What the rules of a scheme see of a ring of quads or triangles around a vertex. On the boundary there is one
 /// edge more than faces, as in VertexNeighbourhood.
 struct RingPattern {
   int num_faces = 0;
@@ -20,7 +20,7 @@ struct RingPattern {
 };
 
 /// The rules on one pattern. Local ids: vertex 0 in the middle, the end 1 + k of edge k, the far
-/// corner 1 + num_edges + i of face i.
+/// corner 1 + num_edges + i of face i if that is a quad.
 struct RingRules {
   std::vector<Stencil> edges;
   Stencil vertex;

@@ -9,6 +9,7 @@
 #include "limes/core/parallel.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/quad_sides.h"
+#include "limes/subdiv/refined_features.h"
 
 namespace limes {
 
@@ -213,48 +214,8 @@ void StructuredRefinement::borrow_side(const QuadRuns::SideVertex* vertices,
     corners[vertices->first] = corners[vertices->second] = VertexId(first + *--rank);
 }
 
-namespace {
-
-/// The halfedges along a control halfedge after some steps, from its start to its end.
-std::vector<std::int64_t> refined_halfedge(HalfedgeId h, int depth) {
-  std::vector<std::int64_t> parts{h.value};
-  for (int step = 0; step < depth; ++step) {
-    std::vector<std::int64_t> halves;
-    for (const std::int64_t p : parts) {
-      halves.push_back(4 * p);  // the child at its start has it as its first side, see split.h
-      halves.push_back(4 * (p - p % 4 + (p + 1) % 4) + 3);
-    }
-    parts = std::move(halves);
-  }
-  return parts;
-}
-
-float decayed_by(int steps, float sharpness) {
-  for (int i = 0; i < steps; ++i)
-    sharpness = decayed(sharpness);
-  return sharpness;
-}
-
-}  // namespace
-
 Features StructuredRefinement::features() const {
-  const int depth = numbering_.depth();
-  Features fine = features_.without_tags(depth);
-  for (const SharpVertex& v : features_.vertices)
-    if (const float s = decayed_by(depth, v.sharpness); is_sharp(s))
-      fine.vertices.push_back({v.vertex, s});
-  for (const SharpEdge& e : features_.edges) {
-    const float s = decayed_by(depth, e.sharpness);
-    const HalfedgeId twin = control_->twin(e.halfedge);
-    if (!is_sharp(s) || !twin.valid()) continue;
-    const auto parts = refined_halfedge(e.halfedge, depth);
-    const auto others = refined_halfedge(twin, depth);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      fine.edges.push_back({HalfedgeId(std::min(parts[i], others[parts.size() - 1 - i])), s});
-  }
-  std::sort(fine.edges.begin(), fine.edges.end(),
-            [](const SharpEdge& a, const SharpEdge& b) { return a.halfedge < b.halfedge; });
-  return fine;
+  return refined_features(*control_, features_, Split::quads, numbering_.depth());
 }
 
 }  // namespace limes

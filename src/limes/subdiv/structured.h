@@ -9,6 +9,7 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/subdiv/corner_rings.h"
+#include "limes/subdiv/grid_refinement.h"
 #include "limes/subdiv/quad_grid.h"
 #include "limes/subdiv/quad_kernel.h"
 #include "limes/subdiv/quad_runs.h"
@@ -27,7 +28,7 @@ namespace limes {
 /// Vertices on a side are computed by both quads and written by the one that owns the side, vertices
 /// at corners by the ring or by the first face. All weights come from the scheme's rules, in their
 /// order of summation, so vertices have the same bits and the same numbers as with RefinementStep.
-class StructuredRefinement {
+class StructuredRefinement final : public GridRefinement {
  public:
   /// Whether the class can refine this mesh: quads only, no semi-sharp edges with Chaikin's method,
   /// and a scheme whose regular rules are those of RegularMasks.
@@ -40,22 +41,15 @@ class StructuredRefinement {
   StructuredRefinement(const Adjacency& control, const Features& features, const Scheme& scheme,
                        int depth);
 
-  [[nodiscard]] int num_vertices() const { return num_vertices_; }
-  [[nodiscard]] int num_faces() const;
+  [[nodiscard]] int num_vertices() const override { return num_vertices_; }
+  [[nodiscard]] int num_faces() const override;
+  [[nodiscard]] int face_size() const override { return 4; }
 
-  /// Positions of all vertices after the last step. Not to be called from several threads at once.
-  /// @param control  one per control vertex
-  /// @param fine     num_vertices() positions, written
-  void positions(std::span<const Vec3> control, std::span<Vec3> fine);
-
-  /// Renews those positions that change when some control vertices have moved.
-  void update(std::span<const Vec3> control, std::span<const VertexId> moved, std::span<Vec3> fine);
-
-  /// Corners of all faces after the last step, 4 num_faces() vertices, written.
-  void corners(std::span<VertexId> out) const;
-
-  /// Features of the refined mesh.
-  [[nodiscard]] Features features() const;
+  void positions(std::span<const Vec3> control, std::span<Vec3> fine) override;
+  void update(std::span<const Vec3> control, std::span<const VertexId> moved,
+              std::span<Vec3> fine) override;
+  void corners(std::span<VertexId> out) const override;
+  [[nodiscard]] Features features() const override;
 
  private:
   using Line = std::vector<LineRules>;  // by step; none where no longer sharp

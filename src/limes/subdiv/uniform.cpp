@@ -33,11 +33,8 @@ UniformRefinement::UniformRefinement(const Adjacency& control, const Features& f
   const Adjacency* parent = &control;
   Features current = features;
   for (int left = levels; left > 0; --left) {
-    if (left <= QuadNumbering::max_depth &&
-        StructuredRefinement::applies(parent->topology(), current, scheme)) {
-      structured_.emplace(*parent, current, scheme, left);
-      return;
-    }
+    structured_ = grid_refinement(*parent, current, scheme, left);
+    if (structured_) return;
     general_.push_back(std::make_unique<GeneralStep>(*parent, std::move(current), scheme));
     GeneralStep& made = *general_.back();
     if (left == 1) return;
@@ -89,10 +86,11 @@ void UniformRefinement::corners(std::span<VertexId> out) const {
 
 Topology UniformRefinement::topology() const {
   if (!structured_) return general_.back()->step.child_topology();
+  const int size = structured_->face_size();
   std::vector<VertexId> corners;
-  resize_fresh(corners, std::size_t{4} * static_cast<std::size_t>(num_faces()));
+  resize_fresh(corners, static_cast<std::size_t>(size) * static_cast<std::size_t>(num_faces()));
   structured_->corners(corners);
-  return {num_vertices(), 4, std::move(corners)};
+  return {num_vertices(), size, std::move(corners)};
 }
 
 Features UniformRefinement::features() const {

@@ -5,15 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "limes/subdiv/grid_refinement.h"
 #include "limes/subdiv/refinement_step.h"
-#include "limes/subdiv/structured.h"
 
 namespace limes {
 
 /// A mesh refined uniformly any number of times, without the meshes in between where that can be
-/// had: the first steps by the general rules (RefinementStep), as many as it takes until all faces
-/// are quads and not more than QuadNumbering::max_depth steps are left; those by StructuredRefinement
-/// if it applies. Which way a vertex was made shows neither in its number nor in its bits.
+/// had: the first steps by the general rules (RefinementStep), as many as it takes until the rest can
+/// be done on grids (GridRefinement). Which way a vertex was made shows neither in its number nor in its bits.
 ///
 /// Holds what depends on the topology, so that positions() may be called again for other control
 /// points. No table of weights is built: the rules run again.
@@ -40,7 +39,7 @@ class UniformRefinement {
   /// only.
   void update(std::span<const Vec3> control, std::span<const VertexId> moved, std::span<Vec3> fine);
 
-  /// Corners of the refined faces, 4 num_faces() vertices, written.
+  /// Corners of the refined faces, one face after another, written.
   void corners(std::span<VertexId> out) const;
   [[nodiscard]] Topology topology() const;
   [[nodiscard]] Features features() const;
@@ -50,7 +49,7 @@ class UniformRefinement {
 
   const Adjacency* control_;
   std::vector<std::unique_ptr<GeneralStep>> general_;
-  std::optional<StructuredRefinement> structured_;
+  std::unique_ptr<GridRefinement> structured_;
 };
 
 }  // namespace limes

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "limes/subdiv/corner_rings.h"
+#include "limes/subdiv/grid_refinement.h"
+#include "limes/subdiv/triangle_grid.h"
+#include "limes/subdiv/triangle_kernel.h"
+#include "limes/subdiv/triangle_runs.h"
+
+namespace limes {
+
+/// Several steps of quadrisection of a mesh of triangles at once, the sister of StructuredRefinement.
+/// Each control triangle is refined as a small grid in the cache and only its last step is written:
+///
+///        o   o
+///      o   +   o        o  margin: the faces around, refined along with the grid
+///    o   +   +   o      +  vertices of the triangle, step by step: 3, 6, 15, ...
+///      +   +   +        at its corners CornerRings takes over unless they are regular, and along
+///    o   o   o   o      sharp sides TriangleLineRules do
+///
+/// Vertices on a side are computed by both triangles and written by the one that owns the side, vertices
+/// at corners by the ring or by the first face. All weights come from the scheme's rules, in their
+/// order of summation, which for a vertex depends on where its ring starts: on an axis that
+/// TriangleNumbering knows for vertices inside, the neighbour for those on its sides.
+class StructuredTriangles final : public GridRefinement {
+ public:
+  /// Whether the class can refine this mesh: triangles only, no semi-sharp edges with Chaikin's method,
+  /// and a scheme whose regular rules are those of RegularTriangleMasks.
+  [[nodiscard]] static bool applies(const Topology& topology, const Features& features,
+                                    const Scheme& scheme);
+
+  /// Keeps references to all but the features. Precondition: applies(...).
+  /// @param depth  number of steps, 1 <= depth <= TriangleNumbering::max_depth
+  /// @throws InputError if the result would have more vertices or corners than can be numbered
+  StructuredTriangles(const Adjacency& control, const Features& features, const Scheme& scheme,
+                      int depth);
+
+  [[nodiscard]] int num_vertices() const override { return num_vertices_; }
+  [[nodiscard]] int num_faces() const override;
+  [[nodiscard]] int face_size() const override { return 3; }
+
+  void positions(std::span<const Vec3> control, std::span<Vec3> fine) override;
+  void update(std::span<const Vec3> control, std::span<const VertexId> moved,
+              std::span<Vec3> fine) override;
+  void corners(std::span<VertexId> out) const override;
+  [[nodiscard]] Features features() const override;
+
+ private:
+  using Line = std::vector<TriangleLineRules>;  // by step; none where no longer sharp
+  struct Triangle {
+    std::array<VertexId, 16> control;  // grid of one cell with its margin, line by line
+    std::array<int, 3> ring;           // of the corners, -1: regular
+    std::array<int, 3> ring_edge;      // number there of the side that starts at the corner
+    std::array<int, 3> corner_axis;    // where the ring of a regular corner starts
+    std::array<int, 3> lender;         // side of the lower face that shares the side, or -1
+    std::array<const Line*, 3> line;   // rules of the sides, or null: smooth
+    OwnedTriangleSides owned;
+    unsigned own_corners;  // regular corners that this triangle writes
+    int sides_before;      // sides owned by the triangles before this one
+  };
+  void number_runs();
+  void number_sides(const Sharpness& sharpness);
+  void gather_grid(FaceId f);
+  void gather_corner(HalfedgeId h, int corner, Triangle& t) const;
+  void place_ring(int ring);
+  [[nodiscard]] const Line* line_of(float sharpness, bool boundary);
+
+  [[nodiscard]] const Triangle& triangle(FaceId f) const {
+    return triangles_[static_cast<std::size_t>(f.value)];
+  }
+  [[nodiscard]] const TriangleRuns& runs(const Triangle& t) const { return *runs_[t.owned]; }
+  [[nodiscard]] int first_of_run(FaceId f, int birth) const;
+
+  void refine_ring(int ring, std::span<const Vec3> control, std::span<Vec3> fine);
+  void refine_triangle(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const;
+  void apply_side(const Triangle& t, int side, int step, const TriangleGrid& grid,
+                  TriangleGrid& fine) const;
+  [[nodiscard]] int axis_on_side(const Triangle& t, int side, int step, int n, int along) const;
+  void take_corners(const Triangle& t, int step, const TriangleGrid& coarse,
+                    TriangleGrid& fine) const;
+  void write_vertices(FaceId f, const TriangleGrid& grid, std::span<Vec3> fine) const;
+  void split_triangle(FaceId f, VertexId* out) const;
+  void borrow_side(FaceId f, int side, int birth, VertexId* corners) const;
+
+  const Adjacency* control_;
+  Features features_;
+  const Scheme* scheme_;
+  RegularTriangleMasks masks_;
+  const TriangleKernel* kernel_ = &TriangleKernel::best();
+  TriangleNumbering numbering_;
+  CornerRings rings_;
+  std::vector<Triangle> triangles_;
+  std::map<std::pair<float, bool>, Line> lines_;       // by sharpness and whether on the boundary
+  std::array<std::unique_ptr<TriangleRuns>, 8> runs_;  // by owned sides; only those that occur
+  std::array<int, TriangleNumbering::max_depth + 1> first_vertex_{};  // by birth
+  std::vector<VertexId> unused_;  // control vertices without faces
+  int num_vertices_ = 0;
+};
+
+}  // namespace limes
