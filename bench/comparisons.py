@@ -9,6 +9,7 @@ MODELS = {
     'rabbit': ['rabbit.obj'],
     'rook': ['catmark_rook.obj', 'rook.obj'],
     'suzanne_quads': ['suzanne_quads.obj'],
+    'spot': ['spot_triangulated.obj'],
 }
 
 
@@ -25,15 +26,17 @@ class Case:
 
 
 def refinement_cases(tiny):
-    """Uniform Catmull-Clark refinement from a file in memory to positions and faces."""
+    """Uniform refinement from a file in memory to positions and faces; Catmull-Clark, spot with Loop."""
     cases = []
     for model, levels, target in (('suzanne_quads', 4, 10), ('rabbit', 5, 10), ('cube', 9, 10),
-                                  ('rook', 5, 7)):
-        options = f'--in MODEL --scheme catmull-clark --levels {1 if tiny else levels}'
+                                  ('rook', 5, 7), ('spot', 4, 8)):
+        scheme = 'loop' if model == 'spot' else 'catmull-clark'
+        options = f'--in MODEL --scheme {scheme} --levels {1 if tiny else levels}'
         theirs = {'OpenSubdiv Far': f'osd_refine {options}'}
         if model != 'rook':  # creases: only OpenSubdiv has them
             theirs['CGAL'] = f'cgal_subdivide {options}'
-            theirs['OpenMesh'] = f'openmesh_subdivide {options}'
+            if scheme == 'catmull-clark':
+                theirs['OpenMesh'] = f'openmesh_subdivide {options}'
         name = f'{model} L{levels}'
         cases.append(Case('refine', name, model, f'limes_refine {options}', theirs, target,
                           'OpenSubdiv Far'))

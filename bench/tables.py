@@ -45,7 +45,7 @@ def add_memory(row, lines, limits):
     used = median(lines, 'peak_rss') - median(lines, 'rss_before')
     row['memory'] = first['memory']
     row['bytes_per_face'] = used / first['out_faces']
-    size = 24 * first['out_vertices'] + 16 * first['out_faces']
+    size = 24 * first['out_vertices'] + (12 if first['scheme'] == 'loop' else 16) * first['out_faces']
     for kernel in ('fill', 'triad'):
         row[f'times_{kernel}'] = row['seconds'] / (size / (limits[f'{kernel} 1'] * 1e9))
     row['out_faces'] = first['out_faces']

@@ -26,7 +26,9 @@ void refine_uniformly(const limes::Mesh& mesh, const limes::Scheme& scheme, int 
   const limes::Adjacency adjacency(mesh.topology);
   limes::UniformRefinement refinement(adjacency, features_of(mesh), scheme, levels);
   result.faces = refinement.num_faces();
-  if (corners.empty()) limes::resize_fresh(corners, 4 * static_cast<std::size_t>(result.faces));
+  const std::size_t face_size = scheme.split == limes::Split::triangles ? 3 : 4;
+  if (corners.empty())
+    limes::resize_fresh(corners, face_size * static_cast<std::size_t>(result.faces));
   refinement.corners(corners);
   const limes::Features features = refinement.features();
   result.topology = timer.wall();
