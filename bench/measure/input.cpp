@@ -41,7 +41,11 @@ std::string model_name(const std::string& in) {
 }
 
 limes::Features features_of(const limes::Mesh& mesh) {
-  return limes::resolve_tags(limes::Adjacency(mesh.topology), mesh.tags,
+  return features_of(mesh, limes::Adjacency(mesh.topology));
+}
+
+limes::Features features_of(const limes::Mesh& mesh, const limes::Adjacency& adjacency) {
+  return limes::resolve_tags(adjacency, mesh.tags,
                              mesh.tags.boundary.value_or(limes::BoundaryRule::edges));
 }
 

@@ -17,6 +17,8 @@ namespace bench {
 
 /// A mesh's tags with its own boundary rule, or with boundary edges as creases.
 [[nodiscard]] limes::Features features_of(const limes::Mesh& mesh);
+[[nodiscard]] limes::Features features_of(const limes::Mesh& mesh,
+                                          const limes::Adjacency& adjacency);
 
 /// Sets the number of threads until the program ends.
 void use_threads(int threads);

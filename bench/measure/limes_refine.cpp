@@ -16,27 +16,30 @@ namespace {
 struct Refined {
   double topology = 0, topology_cpu = 0, positions = 0, positions_cpu = 0;
   int faces = 0;
-  std::vector<limes::Vec3> points;
+  limes::FreshArray<limes::VertexId> corners;
+  limes::FreshArray<limes::Vec3> points;
 };
 
 /// Everything that depends on the topology, then positions; into the memory of `result` if it has any.
 void refine_uniformly(const limes::Mesh& mesh, const limes::Scheme& scheme, int levels,
-                      std::vector<limes::VertexId>& corners, Refined& result) {
+                      Refined& result) {
   Timer timer;
   const limes::Adjacency adjacency(mesh.topology);
-  limes::UniformRefinement refinement(adjacency, features_of(mesh), scheme, levels);
+  limes::UniformRefinement refinement(adjacency, features_of(mesh, adjacency), scheme, levels);
   result.faces = refinement.num_faces();
   const std::size_t face_size = scheme.split == limes::Split::triangles ? 3 : 4;
-  if (corners.empty())
-    limes::resize_fresh(corners, face_size * static_cast<std::size_t>(result.faces));
-  refinement.corners(corners);
+  if (result.corners.empty())
+    result.corners =
+        limes::FreshArray<limes::VertexId>(face_size * static_cast<std::size_t>(result.faces));
+  refinement.corners(result.corners.span());
   const limes::Features features = refinement.features();
   result.topology = timer.wall();
   result.topology_cpu = timer.cpu();
   timer.restart();
   if (result.points.empty())
-    limes::resize_fresh(result.points, static_cast<std::size_t>(refinement.num_vertices()));
-  refinement.positions(mesh.points.span(), result.points);
+    result.points =
+        limes::FreshArray<limes::Vec3>(static_cast<std::size_t>(refinement.num_vertices()));
+  refinement.positions(mesh.points.span(), result.points.span());
   result.positions = timer.wall();
   result.positions_cpu = timer.cpu();
 }
@@ -51,7 +54,7 @@ Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, 
   };
   limes::Topology topology = mesh.topology;
   limes::Features features = features_of(mesh);
-  result.points = mesh.points.vector();
+  std::vector<limes::Vec3> points = mesh.points.vector();
   for (int level = 0; level < levels; ++level) {
     const limes::Adjacency adjacency(
         topology, level == 0 ? limes::Adjacency::Check::surface : limes::Adjacency::Check::edges);
@@ -60,8 +63,8 @@ Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, 
     limes::Features child_features = step.child_features();
     topology_done();
     std::vector<limes::Vec3> fine(static_cast<std::size_t>(step.num_child_vertices()));
-    step.apply(result.points, fine);
-    result.points = std::move(fine);
+    step.apply(points, fine);
+    points = std::move(fine);
     result.positions += timer.wall();
     result.positions_cpu += timer.cpu();
     timer.restart();
@@ -70,6 +73,8 @@ Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, 
   }
   topology_done();
   result.faces = topology.num_faces();
+  result.points = limes::FreshArray<limes::Vec3>(points.size());
+  std::copy(points.begin(), points.end(), result.points.span().begin());
   return result;
 }
 
@@ -85,21 +90,20 @@ void run(const Args& args) {
   const std::string memory = args.get("memory", "fresh");
   if (memory != "fresh" && memory != "used") throw std::runtime_error("memory: fresh or used");
   Refined result;
-  std::vector<limes::VertexId> corners;
   if (method == "general") result = refine_in_general(mesh, scheme, levels);
   for (int pass = 0; method == "uniform" && pass < (memory == "used" ? 2 : 1); ++pass)
-    refine_uniformly(mesh, scheme, levels, corners, result);
+    refine_uniformly(mesh, scheme, levels, result);
 
   JsonLine line = first_fields(args, method);
   line.add("memory", memory).add("levels", levels).add("in_faces", mesh.topology.num_faces());
-  line.add("out_faces", result.faces).add("out_vertices", result.points.size());
+  line.add("out_faces", result.faces).add("out_vertices", result.points.span().size());
   line.add("seconds_topology", result.topology).add("seconds_positions", result.positions);
   line.add("seconds", result.topology + result.positions);
   line.add("cpu_seconds_topology", result.topology_cpu);
   line.add("cpu_seconds_positions", result.positions_cpu);
   line.add("cpu_seconds", result.topology_cpu + result.positions_cpu);
   line.add("rss_before", rss_before).add("peak_rss", peak_rss());
-  line.add("checksum", checksum(result.points));
+  line.add("checksum", checksum(result.points.span()));
   args.require_all_read();
   line.print();
 }

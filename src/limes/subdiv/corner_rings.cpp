@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
+#include "limes/core/parallel.h"
 #include "limes/subdiv/crease.h"
 
 namespace limes {
@@ -30,35 +31,43 @@ CornerRings::CornerRings(const Adjacency& adjacency, const Features& features, c
       num_steps_(num_steps),
       ring_of_(static_cast<std::size_t>(adjacency.topology().num_vertices()), -1),
       rules_(scheme, features.crease_method) {
+  LIMES_ASSERT(features.crease_method == CreaseMethod::uniform ||
+               std::all_of(features.edges.begin(), features.edges.end(),
+                           [](const SharpEdge& e) { return is_infinite(e.sharpness); }));
   if (!triangles_) masks_ = regular_masks(scheme).value();
   const Sharpness sharpness(adjacency, features);
-  for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
-    add_if_irregular(VertexId(v), features, sharpness);
+  const int num_vertices = adjacency.topology().num_vertices();
+  IdArray<VertexId, char> irregular(static_cast<std::size_t>(num_vertices));
+  for_each_index(num_vertices, [&](std::int64_t v) {
+    irregular[VertexId(v)] = is_regular(VertexId(v), sharpness) ? 0 : 1;
+  });
+  for (int v = 0; v < num_vertices; ++v)
+    if (irregular[VertexId(v)] != 0) add(VertexId(v), sharpness);
 }
 
-void CornerRings::add_if_irregular(VertexId v, const Features& features,
-                                   const Sharpness& sharpness) {
+bool CornerRings::is_regular(VertexId v, const Sharpness& sharpness) const {
   const HalfedgeId start = adjacency_->ring_start(v);
-  if (!start.valid()) return;
-  const int num_faces = adjacency_->num_ring_faces(v);
-  const int num_edges = adjacency_->valence(v);
-  const std::size_t first_edge = edge_sharpness_.size();
+  if (!start.valid()) return true;  // no faces, no ring
+  if (is_sharp(sharpness.vertex(v))) return false;
   const int valence = triangles_ ? 6 : 4;
-  bool regular = num_faces == valence && num_edges == valence && !is_sharp(sharpness.vertex(v));
-  HalfedgeId h = start;
+  int faces = 0;
+  for (HalfedgeId h = start; h.valid();) {
+    if (++faces > valence || is_sharp(sharpness.edge(adjacency_->edge(h)))) return false;
+    h = adjacency_->ring_next(h);
+    if (h == start) return faces == valence;
+  }
+  return false;  // on the boundary
+}
+
+void CornerRings::add(VertexId v, const Sharpness& sharpness) {
+  const int num_faces = adjacency_->num_ring_faces(v);
+  const int num_edges = num_faces + (adjacency_->is_boundary(v) ? 1 : 0);
+  const std::size_t first_edge = edge_sharpness_.size();
+  HalfedgeId h = adjacency_->ring_start(v);
   for (int i = 0; i < num_faces; ++i, h = adjacency_->ring_next(h)) {
     edge_sharpness_.push_back(sharpness.edge(adjacency_->edge(h)));
     if (i + 1 == num_faces && num_edges > num_faces)
       edge_sharpness_.push_back(sharpness.edge(adjacency_->edge(adjacency_->prev(h))));
-  }
-  for (std::size_t k = first_edge; k < edge_sharpness_.size(); ++k) {
-    const float s = edge_sharpness_[k];
-    regular = regular && !is_sharp(s);
-    LIMES_ASSERT(features.crease_method == CreaseMethod::uniform || !is_sharp(s) || is_infinite(s));
-  }
-  if (regular) {
-    edge_sharpness_.resize(first_edge);
-    return;
   }
   ring_of_[v] = size();
   Ring ring{v, sharpness.vertex(v), num_edges, num_faces, first_edge, points_.size(), nullptr};

@@ -66,7 +66,8 @@ class CornerRings {
     const Ring& r = get(ring);
     return points_[r.first_point + static_cast<std::size_t>((step - 1) * (r.num_edges + 1) + k)];
   }
-  void add_if_irregular(VertexId v, const Features& features, const Sharpness& sharpness);
+  [[nodiscard]] bool is_regular(VertexId v, const Sharpness& sharpness) const;
+  void add(VertexId v, const Sharpness& sharpness);
   void load(const Ring& ring, std::span<const Vec3> control, Workspace& w) const;
   void advance(const Ring& ring, const RingRules& rules, Workspace& w) const;
   [[nodiscard]] RingPattern pattern(const Ring& ring) const;

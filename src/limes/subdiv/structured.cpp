@@ -1,7 +1,6 @@
 #include "limes/subdiv/structured.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -79,11 +78,14 @@ void StructuredRefinement::number_sides(const Sharpness& sharpness) {
     q.owned = 0;
     for (int s = 0; s < 4; ++s) {
       const HalfedgeId h = control_->topology().halfedge(FaceId(f), s);
-      const EdgeId e = control_->edge(h);
-      if (control_->halfedge(e) == h) q.owned |= 1U << s;
-      q.line[static_cast<std::size_t>(s)] = line_of(sharpness.edge(e), !control_->twin(h).valid());
+      const HalfedgeId twin = control_->twin(h);
+      if (!twin.valid() || h < twin) {
+        q.owned |= 1U << s;
+        ++sides;
+      }
+      q.line[static_cast<std::size_t>(s)] =
+          line_of(sharpness.edge(control_->edge(h)), !twin.valid());
     }
-    sides += std::popcount(q.owned);
     auto& runs = runs_[q.owned];
     if (!runs) runs = std::make_unique<QuadRuns>(numbering_, q.owned);
   }
