@@ -270,19 +270,28 @@ TEST(QuadKernel, GivesTheSameBitsWithEveryInstructionSet) {
 }
 
 #ifdef LIMES_WITH_TBB
-TEST(UniformRefinement, DoesNotDependOnTheNumberOfThreads) {
-  std::mt19937 random(3);
-  const Mesh mesh = with_random_tags(shapes::torus(12, 9), random);
+void expect_same_with_any_threads(const Mesh& mesh, const Scheme& scheme) {
   const Adjacency adjacency(mesh.topology);
   const Features features = resolve_tags(adjacency, mesh.tags, BoundaryRule::edges);
   std::vector<std::vector<Vec3>> results;
+  std::vector<Topology> topologies;
   for (const std::size_t threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    UniformRefinement refinement(adjacency, features, find_scheme("catmull-clark"), 5);
+    UniformRefinement refinement(adjacency, features, scheme, 5);
     results.push_back(positions(refinement, mesh.points.span()));
+    topologies.push_back(refinement.topology());
   }
-  EXPECT_TRUE(same_bits(results[0], results[1]));
-  EXPECT_TRUE(same_bits(results[0], results[2]));
+  for (const std::size_t other : {1, 2}) {
+    EXPECT_TRUE(same_bits(results[0], results[other]));
+    EXPECT_EQ(topologies[0], topologies[other]);
+  }
+}
+
+TEST(UniformRefinement, DoesNotDependOnTheNumberOfThreads) {
+  std::mt19937 random(3);
+  const Mesh torus = shapes::torus(12, 9);
+  expect_same_with_any_threads(with_random_tags(torus, random), find_scheme("catmull-clark"));
+  expect_same_with_any_threads(with_random_tags(triangulated(torus), random), find_scheme("loop"));
 }
 #endif
 
