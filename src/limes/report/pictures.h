@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limes/mesh/mesh.h"
+#include "limes/mesh/triangulate.h"
 #include "limes/report/camera.h"
 #include "limes/report/figure.h"
 #include "limes/report/render.h"
@@ -21,14 +22,6 @@ enum class FaceCategory {
 /// Vertices of irregular valence: inside, and on the boundary where the number of faces is neither
 /// that of a straight boundary (2; triangles 3) nor 1.
 [[nodiscard]] std::vector<VertexId> extraordinary_vertices(const Topology& topology);
-
-/// A mesh's faces as triangles: corners are cut off where the rest stays simple, so that also
-/// hollow faces are covered once. `source` says which face a triangle is from.
-struct Triangulation {
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<int> source;
-};
-[[nodiscard]] Triangulation triangulate(const Topology& topology, std::span<const Vec3> points);
 
 /// Every edge of the mesh once.
 [[nodiscard]] Lines edge_lines(const Topology& topology, std::span<const Vec3> points);
