@@ -160,9 +160,10 @@ TEST_P(EveryScheme, HandsPartsDownToTheChildren) {
 }
 
 /// Tags of a refined mesh say all that is left of the sharpness: two steps are one step twice. Not
-/// at the boundary of sqrt3, where every second step is another.
+/// at the boundary of sqrt3, where every second step is another, nor for four-eight, whose first step is.
 TEST_P(EveryScheme, TwoLevelsAreOneLevelTwice) {
   on_every_shape([&](const Mesh& mesh) {
+    if (scheme().split == Split::four_eight) return;
     if (scheme().split == Split::sqrt3 && !is_closed(mesh)) return;
     const Mesh once = refine(mesh, scheme(), {.levels = 1});
     const Mesh twice = refine(once, scheme(), {.levels = 1});
@@ -192,6 +193,7 @@ TEST_P(EveryScheme, GivesTheSameBitsForOneAndTwoThreads) {
 /// A quarter turn about z and the mirror x = 0 map the refined cube onto itself.
 TEST_P(EveryScheme, KeepsTheSymmetryOfACube) {
   if (!fits(scheme(), shapes::cube())) return;
+  if (scheme().needs_positions) return;  // cuts the quads, and all of these cuts are ties
   const Mesh fine = refine(shapes::cube(), scheme(), {.levels = 3});
   const auto holds = [&](const auto& map) {
     for (const Vec3& x : fine.points) {

@@ -23,11 +23,14 @@ ExplicitSplit explicit_split(const Adjacency& parent, const Features& features, 
       return mid_edge_split(parent);
     case Split::sqrt3:
       return sqrt3_split(parent, features.level % 2 == 1);
+    case Split::four_eight:
+      return four_eight_split(parent, features.level);
     case Split::quads:
     case Split::triangles:
+    case Split::longest_edges:
       break;
   }
-  LIMES_ASSERT(!"quadrisection is not stored");
+  LIMES_ASSERT(!"made elsewhere");
   return {};
 }
 

@@ -38,6 +38,11 @@ struct ExplicitSplit {
 /// step cuts the boundary edges into three instead of giving their faces a vertex: two vertices per
 /// boundary edge, in order of edges, follow the old ones.
 ///
+/// four_eight: the first step puts a vertex into every face, numbered after the old ones, and makes a
+/// triangle of it and each side, in order of corners. Every later one puts a vertex into the edge
+/// opposite the first corner of every triangle, (c, a, b) becomes (s, c, a) and (s, b, c) in its place;
+/// new vertices by ascending (lower, higher) end.
+///
 /// @throws InputError for what the split cannot be made of, naming the place, or too many vertices
 [[nodiscard]] ExplicitSplit explicit_split(const Adjacency& parent, const Features& features,
                                            Split split);

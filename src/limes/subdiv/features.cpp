@@ -27,18 +27,6 @@ struct RingSearch {
   }
 };
 
-/// Edge between a and b, or an invalid halfedge. Both ends are searched in turn: what it costs is the
-/// smaller of the two valences, and the creases of a mesh with one large fan take linear time.
-HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
-  RingSearch around_a{adjacency, b, adjacency.ring_start(a)};
-  RingSearch around_b{adjacency, a, adjacency.ring_start(b)};
-  while (around_a.at.valid() && around_b.at.valid())
-    for (RingSearch* search : {&around_a, &around_b})
-      if (const HalfedgeId h = search->step(); h.valid())
-        return adjacency.halfedge(adjacency.edge(h));
-  return {};
-}
-
 void require_vertex(const Adjacency& adjacency, VertexId v, const char* tag) {
   const int n = adjacency.topology().num_vertices();
   if (v.value < 0 || v.value >= n)
@@ -61,6 +49,16 @@ void sort_and_merge(std::vector<SharpEdge>& edges) {
 }
 
 }  // namespace
+
+HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
+  RingSearch around_a{adjacency, b, adjacency.ring_start(a)};
+  RingSearch around_b{adjacency, a, adjacency.ring_start(b)};
+  while (around_a.at.valid() && around_b.at.valid())
+    for (RingSearch* search : {&around_a, &around_b})
+      if (const HalfedgeId h = search->step(); h.valid())
+        return adjacency.halfedge(adjacency.edge(h));
+  return {};
+}
 
 Features resolve_tags(const Adjacency& adjacency, const Tags& tags, BoundaryRule boundary) {
   Features features;

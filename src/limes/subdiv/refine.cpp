@@ -1,9 +1,8 @@
 #include "limes/subdiv/refine.h"
 
-#include <algorithm>
-
 #include "limes/core/memory.h"
 #include "limes/mesh/adjacency.h"
+#include "limes/subdiv/child_lists.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/split.h"
 #include "limes/subdiv/uniform.h"
@@ -56,35 +55,6 @@ Mesh refine_by_quadrisection(const Mesh& mesh, const Scheme& scheme, const Refin
   return without_faces(fine, descendants(mesh.topology, dropped, scheme.split, options.levels));
 }
 
-/// Faces of a refined mesh by the face they come from.
-class ChildLists {
- public:
-  ChildLists(const std::vector<FaceId>& parents, int num_parents)
-      : children_(static_cast<std::size_t>(num_parents)) {
-    for (std::size_t child = 0; child < parents.size(); ++child)
-      children_[static_cast<std::size_t>(parents[child].value)].push_back(
-          FaceId(static_cast<std::int64_t>(child)));
-  }
-  [[nodiscard]] std::vector<FaceId> of(const std::vector<FaceId>& faces) const {
-    std::vector<FaceId> all;
-    for (const FaceId f : faces) {
-      const std::vector<FaceId>& own = children_[static_cast<std::size_t>(f.value)];
-      all.insert(all.end(), own.begin(), own.end());
-    }
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-  [[nodiscard]] std::vector<FaceGroup> of(const std::vector<FaceGroup>& groups) const {
-    std::vector<FaceGroup> all;
-    for (const FaceGroup& g : groups)
-      all.push_back({g.name, of(g.faces)});
-    return all;
-  }
-
- private:
-  std::vector<std::vector<FaceId>> children_;
-};
-
 /// Step by step, for the other splits.
 Mesh refine_by_steps(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   Mesh current = mesh;
@@ -103,13 +73,21 @@ Mesh refine_by_steps(const Mesh& mesh, const Scheme& scheme, const RefineOptions
     features = step.child_features();
     current = std::move(next);
   }
-  current.tags.boundary = mesh.tags.boundary;
+  Tags tags = tags_of(current.topology, features);
+  tags.holes = std::move(current.tags.holes);
+  tags.boundary = mesh.tags.boundary;
+  current.tags = std::move(tags);
   return current;
 }
 
 }  // namespace
 
 Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
+  if (scheme.needs_positions) {
+    QuasiOptions quasi = options.quasi;
+    quasi.levels = options.levels;
+    return refine_quasi_four_eight(mesh, quasi).mesh;
+  }
   return is_quadrisection(scheme.split) ? refine_by_quadrisection(mesh, scheme, options)
                                         : refine_by_steps(mesh, scheme, options);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limes/mesh/mesh.h"
+#include "limes/subdiv/quasi_four_eight.h"
 #include "limes/subdiv/scheme.h"
 
 namespace limes {
@@ -10,6 +11,7 @@ struct RefineOptions {
   BoundaryRule boundary = BoundaryRule::edges;
   /// Boundary stencils of [biermann_2000], see sector.h; catmull-clark only.
   bool sector_stencils = false;
+  QuasiOptions quasi = {};  ///< of quasi-four-eight; its levels do not count
 };
 
 /// Uniform refinement of a mesh with its tags, groups and parts. With BoundaryRule::none the faces

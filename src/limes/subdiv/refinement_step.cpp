@@ -7,6 +7,7 @@
 #include "limes/core/parallel.h"
 #include "limes/subdiv/sector.h"
 #include "limes/subdiv/split.h"
+#include "limes/subdiv/splits.h"
 #include "limes/subdiv/surroundings.h"
 
 namespace limes {
@@ -56,6 +57,9 @@ void append_stencil_row(int row, const Stencil& stencil, const Topology& topolog
 RefinementStep::RefinementStep(const Adjacency& parent, const Features& features,
                                const Scheme& scheme)
     : parent_(&parent), features_(&features), scheme_(&scheme), sharpness_(parent, features) {
+  if (scheme.needs_positions)
+    throw UsageError("{} refines by positions: its steps have no weights and no matrix",
+                     scheme.name);
   require_faces(parent.topology(), scheme);
   if (!scheme.creases) require_no_creases(parent, features, scheme);
   if (!is_quadrisection(scheme.split)) split_ = explicit_split(parent, features, scheme.split);
@@ -76,7 +80,10 @@ Topology RefinementStep::child_topology() const {
 }
 
 Features RefinementStep::child_features() const {
-  return split_ ? features_->without_tags(1) : split_features(*parent_, *features_, scheme_->split);
+  if (!split_) return split_features(*parent_, *features_, scheme_->split);
+  if (scheme_->split == Split::four_eight)
+    return four_eight_features(*parent_, *features_, *split_);
+  return features_->without_tags(1);
 }
 
 std::vector<FaceId> RefinementStep::parent_faces() const {

@@ -16,7 +16,7 @@ namespace limes {
 class RefinementStep {
  public:
   /// @throws InputError if the scheme does not fit the faces, or knows no creases and is given some;
-  ///         names the first
+  ///         names the first; UsageError if it needs positions to refine
   RefinementStep(const Adjacency& parent, const Features& features, const Scheme& scheme);
 
   [[nodiscard]] int num_child_vertices() const;

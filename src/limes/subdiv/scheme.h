@@ -12,11 +12,13 @@ enum class FaceKind { polygons, quads, triangles };
 
 /// How topology splits.
 enum class Split {
-  quads,      ///< every face into one quad per corner, see split.h
-  triangles,  ///< every triangle into four, see split.h
-  dual,       ///< a face for every face, edge and vertex, see explicit_split.h
-  mid_edge,   ///< a face for every face and vertex, see explicit_split.h
-  sqrt3       ///< a triangle for every edge of every triangle, see explicit_split.h
+  quads,         ///< every face into one quad per corner, see split.h
+  triangles,     ///< every triangle into four, see split.h
+  dual,          ///< a face for every face, edge and vertex, see explicit_split.h
+  mid_edge,      ///< a face for every face and vertex, see explicit_split.h
+  sqrt3,         ///< a triangle for every edge of every triangle, see explicit_split.h
+  four_eight,    ///< first triangles around every face's middle, then halves, see explicit_split.h
+  longest_edges  ///< halves of triangles, by their positions: quasi_four_eight.h
 };
 
 /// Whether children are numbered by arithmetic (split.h): every face falls into faces of its own.
@@ -36,7 +38,8 @@ enum class LimitPatch {
 enum class Boundary {
   creases,  ///< BoundaryRule: a crease, or faces that only support others
   own,      ///< a rule of its own, always the same
-  shrinks   ///< none: the surface ends before its boundary
+  shrinks,  ///< none: the surface ends before its boundary
+  quasi     ///< QuasiBoundary
 };
 
 /// A subdivision scheme: how topology splits, and for each new vertex the weights of the old ones.

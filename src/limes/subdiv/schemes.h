@@ -32,6 +32,10 @@ void sqrt3_face(const FaceNeighbourhood& face, const RuleOptions& options, Stenc
 void sqrt3_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 void sqrt3_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out);
 
+void four_eight_face(const FaceNeighbourhood& face, const RuleOptions& options, Stencil& out);
+void four_eight_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
+void four_eight_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out);
+
 void butterfly_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 
 }  // namespace limes
