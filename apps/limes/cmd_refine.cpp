@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +31,31 @@ struct RefineCommand {
   void operator()() const;
 };
 
+/// What quasi-four-eight did that its mesh does not show, one line each.
+std::vector<std::string> remarks_on(const QuasiRefinement& made) {
+  std::vector<std::string> remarks;
+  if (made.num_cut_faces > 0)
+    remarks.push_back(fmt::format("faces that are no triangles, cut along short diagonals: {}",
+                                  made.num_cut_faces));
+  const std::vector<int>& unsplit = made.num_unsplit_faces;
+  if (std::any_of(unsplit.begin(), unsplit.end(), [](int n) { return n > 0; }))
+    remarks.push_back(
+        fmt::format("faces left whole in steps 1 to {}, because all their edges were taken: {}",
+                    unsplit.size(), fmt::join(unsplit, " ")));
+  if (made.collapsed) remarks.emplace_back("the refined surface encloses no volume");
+  return remarks;
+}
+
+Mesh refine_by_scheme(const Mesh& coarse, const SchemeChoice& choice, const RefineOptions& options,
+                      std::vector<std::string>& remarks) {
+  if (!choice.scheme->needs_positions) return refine(coarse, *choice.scheme, options);
+  QuasiOptions quasi = choice.quasi;
+  quasi.levels = options.levels;
+  QuasiRefinement made = refine_quasi_four_eight(coarse, quasi);
+  remarks = remarks_on(made);
+  return std::move(made.mesh);
+}
+
 void RefineCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
@@ -39,19 +65,27 @@ void RefineCommand::operator()() const {
   Mesh coarse = num_levels > 0 || limit ? load_refinable_mesh(mesh) : load_mesh(mesh);
   if (choice.boundary) coarse.tags.boundary = choice.boundary;
   require_feasible(coarse.topology, *choice.scheme, num_levels,
-                   {.limit_points = limit, .vtu = to_lower(output.extension().string()) == ".vtu"},
+                   {.limit_points = limit,
+                    .vtu = to_lower(output.extension().string()) == ".vtu",
+                    .steps_per_level = choice.quasi.split == QuasiSplit::normal ? 2 : 1},
                    current.memory_limit(), mesh.file.string());
   Mesh fine;
+  std::vector<std::string> remarks;
   {
     const Progress progress(fmt::format("refining {}", mesh.file.string()));
-    const RefineOptions options{num_levels, choice.boundary_for(coarse), choice.sector_stencils};
+    const RefineOptions options{.levels = num_levels,
+                                .boundary = choice.boundary_for(coarse),
+                                .sector_stencils = choice.sector_stencils};
     if (limit)
       fine = naming_file(mesh.file, [&] { return limit_mesh(coarse, *choice.scheme, options); });
     else if (num_levels > 0)
-      fine = naming_file(mesh.file, [&] { return refine(coarse, *choice.scheme, options); });
+      fine = naming_file(mesh.file,
+                         [&] { return refine_by_scheme(coarse, choice, options, remarks); });
     else
       fine = std::move(coarse);
   }
+  for (const std::string& text : remarks)
+    remark(fmt::format("{}: {}", mesh.file.string(), text));
   if (fine.topology.num_faces() == 0)
     throw InputError("{}: no face is left, for all touch the boundary", mesh.file.string());
   check_interrupt();

@@ -37,11 +37,6 @@ std::string limit_of(const Scheme& scheme) {
   return {};
 }
 
-std::vector<std::string> options_of(const Scheme& scheme) {
-  if (has_boundary_rules(scheme)) return {"--boundary"};
-  return {};
-}
-
 void print_table() {
   std::vector<std::vector<std::string>> rows{{"SCHEME", "FACES", "LIMIT", "OPTIONS", "WHAT IT IS"}};
   for (const Scheme& s : all_schemes()) {

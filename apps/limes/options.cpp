@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -45,13 +46,33 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
       ->option_text("NAME (required)")
       ->group(scheme_group);
   command
-      .add_option("--boundary", options.boundary,
-                  "catmull-clark, loop: what happens at the boundary [the file's tag, else edges]\n"
-                  "  none               boundary faces shape the others and are dropped\n"
-                  "  edges              the boundary is a smooth curve\n"
-                  "  edges-and-corners  and vertices with one face stay where they are\n"
-                  "  biermann           the same, by weights that follow the angle of the surface\n"
-                  "                     and do not fold at concave corners (refine, catmull-clark)")
+      .add_option(
+          "--boundary", options.boundary,
+          "catmull-clark, loop: what happens at the boundary [the file's tag, else edges]\n"
+          "  none               boundary faces shape the others and are dropped\n"
+          "  edges              the boundary is a smooth curve\n"
+          "  edges-and-corners  and vertices with one face stay where they are\n"
+          "  biermann           the same, by weights that follow the angle of the surface\n"
+          "                     and do not fold at concave corners (refine, catmull-clark)\n"
+          "quasi-four-eight: how boundary vertices move [curve-normal]\n"
+          "  curve-normal       like curve, but along the surface normal only\n"
+          "  curve              along a smooth curve\n"
+          "  fixed              not at all")
+      ->option_text("RULE")
+      ->group(scheme_group);
+  command
+      .add_option("--tags", options.tags,
+                  "quasi-four-eight: what sharp edges and vertices do [held]\n"
+                  "  held               they are not smoothed: edges stay straight\n"
+                  "  curves             edges are creases, with darts and corners")
+      ->option_text("RULE")
+      ->group(scheme_group);
+  command
+      .add_option("--split", options.split,
+                  "quasi-four-eight: which edges a level splits [longest]\n"
+                  "  longest            the longest edges, one of every face\n"
+                  "  interleaved        edges of valence 8, on a regular 4-8 mesh\n"
+                  "  normal             all edges, on a regular 4-8 mesh: two steps a level")
       ->option_text("RULE")
       ->group(scheme_group);
   // Hidden as long as no scheme has them; known, so that the message can say so.
@@ -60,8 +81,19 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
   command.add_option("--ring-pull", options.ring_pull)->group("");
 }
 
+namespace {
+
+/// Whether there is a choice of BoundaryRule.
 bool has_boundary_rules(const Scheme& scheme) {
   return scheme.boundary == Boundary::creases;
+}
+
+}  // namespace
+
+std::vector<std::string> options_of(const Scheme& scheme) {
+  if (has_boundary_rules(scheme)) return {"--boundary"};
+  if (scheme.boundary == Boundary::quasi) return {"--boundary", "--tags", "--split"};
+  return {};
 }
 
 BoundaryRule SchemeChoice::boundary_for(const Mesh& mesh) const {
@@ -73,7 +105,26 @@ BoundaryRule SchemeChoice::boundary_for(const Mesh& mesh) const {
 namespace {
 
 void refuse_option(const Scheme& scheme, const std::string& value, const char* option) {
-  if (!value.empty()) throw UsageError("{}: {} has no such option", option, scheme.name);
+  const auto known = options_of(scheme);
+  if (!value.empty() && std::find(known.begin(), known.end(), option) == known.end())
+    throw UsageError("{}: {} has no such option", option, scheme.name);
+}
+
+/// A name of an option's value and what it means.
+template <class Value>
+struct Named {
+  const char* name;
+  Value value;
+};
+template <class Value, std::size_t n>
+Value parse_name(const char* option, const std::string& name, const Named<Value> (&known)[n]) {
+  std::string names;
+  for (const Named<Value>& k : known) {
+    if (name == k.name) return k.value;
+    names += names.empty() ? "" : ", ";
+    names += k.name;
+  }
+  throw UsageError("{}: there is no rule {}; known are {}", option, quote(name), names);
 }
 
 BoundaryRule parse_boundary(const std::string& name) {
@@ -86,15 +137,39 @@ BoundaryRule parse_boundary(const std::string& name) {
       quote(name));
 }
 
+QuasiOptions parse_quasi(const SchemeOptions& typed) {
+  QuasiOptions quasi;
+  if (!typed.boundary.empty())
+    quasi.rules.boundary = parse_name<QuasiBoundary>("--boundary", typed.boundary,
+                                                     {{"curve-normal", QuasiBoundary::curve_normal},
+                                                      {"curve", QuasiBoundary::curve},
+                                                      {"fixed", QuasiBoundary::fixed}});
+  if (!typed.tags.empty())
+    quasi.rules.tags = parse_name<QuasiTags>(
+        "--tags", typed.tags, {{"held", QuasiTags::held}, {"curves", QuasiTags::curves}});
+  if (!typed.split.empty())
+    quasi.split = parse_name<QuasiSplit>("--split", typed.split,
+                                         {{"longest", QuasiSplit::longest},
+                                          {"interleaved", QuasiSplit::interleaved},
+                                          {"normal", QuasiSplit::normal}});
+  return quasi;
+}
+
 }  // namespace
 
 SchemeChoice choose_scheme(const SchemeOptions& options) {
   SchemeChoice choice{&find_scheme(options.scheme), {}};
   const Scheme& scheme = *choice.scheme;
-  if (!has_boundary_rules(scheme)) refuse_option(scheme, options.boundary, "--boundary");
+  refuse_option(scheme, options.boundary, "--boundary");
+  refuse_option(scheme, options.tags, "--tags");
+  refuse_option(scheme, options.split, "--split");
   refuse_option(scheme, options.tension, "--tension");
   refuse_option(scheme, options.corners, "--corners");
   refuse_option(scheme, options.ring_pull, "--ring-pull");
+  if (scheme.boundary == Boundary::quasi) {
+    choice.quasi = parse_quasi(options);
+    return choice;
+  }
   choice.sector_stencils = options.boundary == "biermann" && scheme.name == "catmull-clark";
   if (choice.sector_stencils)
     choice.boundary = BoundaryRule::edges_and_corners;

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limes/mesh/mesh.h"
+#include "limes/subdiv/quasi_four_eight.h"
 #include "limes/subdiv/scheme.h"
 
 namespace limes::app {
@@ -42,6 +44,7 @@ struct SchemeOptions {
   std::string scheme;
   std::string boundary;
   std::string tension, corners, ring_pull;
+  std::string tags, split;
 };
 void add_scheme_options(CLI::App& command, SchemeOptions& options);
 
@@ -50,6 +53,7 @@ struct SchemeChoice {
   const Scheme* scheme;
   std::optional<BoundaryRule> boundary;  ///< the user's; the file's comes second
   bool sector_stencils = false;          ///< --boundary biermann; for refinement only
+  QuasiOptions quasi = {};               ///< of quasi-four-eight
 
   /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
   [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;
@@ -61,8 +65,8 @@ struct SchemeChoice {
 /// @throws UsageError for what refines but has no limit that can be evaluated
 void require_limit(const SchemeChoice& choice);
 
-/// Whether there is a choice of boundary rules.
-[[nodiscard]] bool has_boundary_rules(const Scheme& scheme);
+/// The options that a scheme has, as they are typed.
+[[nodiscard]] std::vector<std::string> options_of(const Scheme& scheme);
 
 /// A decimal whole number, at least `least`.
 /// @throws UsageError that names the option

@@ -14,12 +14,14 @@ struct MeshSize {
 };
 [[nodiscard]] MeshSize size_of(const Topology& topology);
 /// After one step of a scheme.
-[[nodiscard]] MeshSize refined_size(const MeshSize& size, const Scheme& scheme);
+/// @param level  steps made before
+[[nodiscard]] MeshSize refined_size(const MeshSize& size, const Scheme& scheme, int level);
 
 /// What a refinement does besides the steps themselves.
 struct RefinementExtras {
   bool limit_points = false;
-  bool vtu = false;  ///< the writer holds all arrays
+  bool vtu = false;         ///< the writer holds all arrays
+  int steps_per_level = 1;  ///< of the scheme
 };
 
 /// Refuses a refinement before any work is done: more corners than can be numbered, or more memory
