@@ -15,6 +15,8 @@
 #include "limes/subdiv/edge_choice.h"
 #include "limes/subdiv/features.h"
 #include "limes/subdiv/quasi_four_eight.h"
+#include "limes/subdiv/refinement_step.h"
+#include "limes/subdiv/schemes.h"
 #include "subdiv/meshes48.h"
 #include "subdiv/zoo.h"
 
@@ -240,6 +242,15 @@ TEST(QuasiRefinement, RegularSplitsRefuseOtherMeshes) {
   // No vertex inside says which of the two has valence 4.
   const Mesh two_triangles = triangulated(shapes::grid(1, 1));
   EXPECT_THROW(std::ignore = refine_quasi_four_eight(two_triangles, options), InputError);
+}
+
+TEST(QuasiRefinement, HasNoMatrix) {
+  const Scheme& scheme = find_scheme("quasi-four-eight");
+  EXPECT_FALSE(scheme.linear);
+  EXPECT_TRUE(scheme.needs_positions);
+  const Mesh mesh = shapes::icosahedron();
+  const Adjacency adjacency(mesh.topology);
+  EXPECT_THROW(RefinementStep(adjacency, {}, scheme), UsageError);
 }
 
 TEST(QuasiRefinement, RefusesTwoTrianglesBackToBack) {
