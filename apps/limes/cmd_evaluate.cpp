@@ -4,6 +4,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 
 #include "commands.h"
@@ -68,7 +69,7 @@ void append_row(const SurfacePoint& p, fmt::memory_buffer& out) {
   out.push_back('\n');
 }
 
-/// Lines of a table for points [first, last) of a part.
+/// Lines of a table for points [first, last) of a part, from values in bulk.
 void append_rows(const LimitSurface& surface, std::span<const SurfaceLocation> part,
                  const SurfaceValues& values, std::size_t first, std::size_t last,
                  fmt::memory_buffer& out) {
@@ -87,9 +88,17 @@ void append_rows(const LimitSurface& surface, std::span<const SurfaceLocation> p
   }
 }
 
+/// The same point by point.
+void append_rows(const LimitSurface& surface, std::span<const SurfaceLocation> points,
+                 fmt::memory_buffer& out) {
+  for (const SurfaceLocation& p : points)
+    append_row(surface.evaluate(p.face, p.corner, p.uv), out);
+}
+
 /// Evaluates piece by piece, so that memory does not grow with the number of points; several
 /// threads write the lines of a piece.
-void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
+/// @param bulk  null where the scheme has none
+void write_table(const LimitSurface& surface, const BulkEvaluator* bulk,
                  std::span<const SamplePoint> points, const std::filesystem::path& output) {
   constexpr std::size_t piece = 1 << 14;
   constexpr std::size_t rows = 1 << 9;  // of one text
@@ -104,14 +113,18 @@ void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
     part.clear();
     for (const SamplePoint& p : points.subspan(begin, std::min(piece, points.size() - begin)))
       part.push_back({p.face, p.corner, p.uv});
-    bulk.evaluate(part, 2, values);
+    if (bulk) bulk->evaluate(part, 2, values);
     const std::size_t num_texts = (part.size() + rows - 1) / rows;
     for_each_block(
         static_cast<std::int64_t>(num_texts), 1, [&](std::int64_t first, std::int64_t last) {
           for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t) {
             texts[t].clear();
-            append_rows(surface, part, values, t * rows, std::min(part.size(), (t + 1) * rows),
-                        texts[t]);
+            const std::size_t from = t * rows;
+            const std::size_t to = std::min(part.size(), from + rows);
+            if (bulk)
+              append_rows(surface, part, values, from, to, texts[t]);
+            else
+              append_rows(surface, std::span(part).subspan(from, to - from), texts[t]);
           }
         });
     for (std::size_t t = 0; t < num_texts; ++t)
@@ -124,14 +137,16 @@ void write_table(const LimitSurface& surface, const BulkEvaluator& bulk,
 
 nlohmann::ordered_json write_values(const MeshSurface& surface, const std::filesystem::path& points,
                                     const std::filesystem::path& output) {
-  const auto samples = read_sample_points(points, surface.mesh().topology);
+  const LimitBasis& basis = surface.surface().basis();
+  const auto samples = read_sample_points(points, basis);
   for (const SamplePoint& p : samples)
     if (!surface.has_surface(p.face))
       throw error_at(points.string(), p.line,
                      "face {} touches the boundary and has no surface with boundary rule none",
                      p.face.value);
-  const BulkEvaluator bulk(surface.surface().basis(), surface.mesh().points.span());
-  write_table(surface.surface(), bulk, samples, output);
+  std::optional<BulkEvaluator> bulk;
+  if (!basis.on_triangles()) bulk.emplace(basis, surface.mesh().points.span());
+  write_table(surface.surface(), bulk ? &*bulk : nullptr, samples, output);
   return {{"points", samples.size()}};
 }
 
@@ -200,7 +215,8 @@ void add_evaluate(CLI::App& program) {
       "quadrant\n"
       "at that corner: (0,0) there, u towards the next corner, v towards the previous one, (1,1) "
       "in\n"
-      "the middle of the face. What does not exist at a point is an empty field.\n"
+      "the middle of the face. With loop corner is 0, u and v are the barycentric weights of the\n"
+      "second and third corner. What does not exist at a point is an empty field.\n"
       "One of --at, --closest and --ray is needed. The last two write face,corner,u,v,x,y,z and\n"
       "distance, or t and side: a ray is (x,y,z) + t (dx,dy,dz), t >= 0; one that misses is a "
       "line\n"

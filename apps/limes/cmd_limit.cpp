@@ -21,8 +21,6 @@
 namespace limes::app {
 namespace {
 
-constexpr int degree = 3;
-
 struct LimitCommand {
   MeshOptions mesh;
   std::filesystem::path output;
@@ -34,9 +32,11 @@ struct LimitCommand {
   void operator()() const;
 };
 
-VtkCell parse_cells(const std::string& name) {
-  if (name == "lagrange") return VtkCell::lagrange_quad;
-  if (name == "bezier") return VtkCell::bezier_quad;
+enum class CellKind { lagrange, bezier };
+
+CellKind parse_cells(const std::string& name) {
+  if (name == "lagrange") return CellKind::lagrange;
+  if (name == "bezier") return CellKind::bezier;
   throw UsageError("--cells: there is no kind {}; known are lagrange, bezier", quote(name));
 }
 
@@ -48,14 +48,21 @@ std::vector<double> flat(const std::vector<Vec3>& values) {
   return result;
 }
 
-void add_cells(const CurvedCells& cells, VtkCell type, VtuGrid& grid) {
-  const auto order = vtk_quad_points(degree);
+VtkCell vtk_cell(CellKind kind, const CellShape& shape) {
+  const bool bezier = kind == CellKind::bezier;
+  if (shape.triangle) return bezier ? VtkCell::bezier_triangle : VtkCell::lagrange_triangle;
+  return bezier ? VtkCell::bezier_quad : VtkCell::lagrange_quad;
+}
+
+void add_cells(const CurvedCells& cells, const CellShape& shape, VtkCell type, VtuGrid& grid) {
+  const auto order =
+      shape.triangle ? vtk_triangle_points(shape.degree) : vtk_quad_points(shape.degree);
   std::vector<std::int64_t> faces, corners;
   std::vector<std::int64_t> points(order.size());
   for (std::size_t c = 0; c < cells.cells.size(); ++c) {
-    const auto first = static_cast<std::int64_t>(c) * CurvedCells::nodes_per_cell;
+    const auto first = static_cast<std::int64_t>(c) * shape.num_nodes();
     for (std::size_t k = 0; k < order.size(); ++k)
-      points[k] = first + order[k][1] * (degree + 1) + order[k][0];
+      points[k] = first + shape.node(order[k][0], order[k][1]);
     grid.add_cell(type, points);
     faces.push_back(cells.cells[c].face.value);
     corners.push_back(cells.cells[c].corner);
@@ -64,15 +71,15 @@ void add_cells(const CurvedCells& cells, VtkCell type, VtuGrid& grid) {
   grid.cell_data.push_back({"corner", 1, std::move(corners)});
 }
 
-VtuGrid make_grid(CurvedCells cells, VtkCell type) {
-  if (type == VtkCell::bezier_quad) {
-    cells.points = bernstein_coefficients(cells.points);
-    cells.normals = bernstein_coefficients(cells.normals);
-    cells.mean = bernstein_coefficients(cells.mean);
-    cells.gauss = bernstein_coefficients(cells.gauss);
+VtuGrid make_grid(CurvedCells cells, const CellShape& shape, CellKind kind) {
+  if (kind == CellKind::bezier) {
+    cells.points = bernstein_coefficients(shape, cells.points);
+    cells.normals = bernstein_coefficients(shape, cells.normals);
+    cells.mean = bernstein_coefficients(shape, cells.mean);
+    cells.gauss = bernstein_coefficients(shape, cells.gauss);
   }
   VtuGrid grid;
-  add_cells(cells, type, grid);
+  add_cells(cells, shape, vtk_cell(kind, shape), grid);
   grid.points = std::move(cells.points);
   grid.point_data.push_back({"normal", 3, flat(cells.normals)});
   grid.point_data.push_back({"mean_curvature", 1, std::move(cells.mean)});
@@ -91,7 +98,7 @@ void LimitCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
   require_limit(choice);
-  const VtkCell type = parse_cells(cells);
+  const CellKind kind = parse_cells(cells);
   const double relative = parse_positive("--tolerance", tolerance);
   check_output(output, run, {".vtu"});
   const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
@@ -106,7 +113,7 @@ void LimitCommand::operator()() const {
   const std::size_t num_exact = static_cast<std::size_t>(std::count_if(
       curved.cells.begin(), curved.cells.end(), [](const auto& cell) { return cell.exact; }));
   const double deviation = curved.deviation();
-  write_vtu(output, make_grid(std::move(curved), type));
+  write_vtu(output, make_grid(std::move(curved), cell_shape(choice.scheme->split), kind));
   if (deviation > relative * diagonal)
     remark(
         fmt::format("{}: cells deviate from the surface by up to {:.2g}, {:.2g} of the diagonal; "
@@ -128,12 +135,13 @@ void LimitCommand::operator()() const {
 void add_limit(CLI::App& program) {
   const auto command = std::make_shared<LimitCommand>();
   CLI::App& app = *program.add_subcommand("limit", "The limit surface as curved cells");
-  add_output_option(app, command->output, "File to write: .vtu, degree 3");
+  add_output_option(app, command->output, "File to write: .vtu");
   add_mesh_options(app, command->mesh);
   add_scheme_options(app, command->scheme);
   app.add_option("--cells", command->cells,
-                 "lagrange: points on the surface (VTK type 70)\n"
-                 "bezier: Bernstein coefficients (type 77) [lagrange]")
+                 "lagrange: points on the surface (VTK type 70;\n"
+                 "69 on the triangles of loop)\n"
+                 "bezier: Bernstein coefficients (77; 76) [lagrange]")
       ->option_text("KIND")
       ->group(work_group);
   app.add_option("--tolerance", command->tolerance,
@@ -143,6 +151,7 @@ void add_limit(CLI::App& program) {
       ->group(work_group);
   add_run_options(app, command->run);
   app.footer(
+      "Cells are of degree 3 in both directions, of degree 4 on the triangles of loop.\n"
       "Point data: normal, mean_curvature, gauss_curvature as samples at the nodes, NaN where "
       "they\n"
       "do not exist. Cell data: face and corner, the control face a cell lies on. Every cell has\n"

@@ -32,7 +32,7 @@ std::string limit_of(const Scheme& scheme) {
     case LimitPatch::bicubic:
       return "bicubic";
     case LimitPatch::box_spline:
-      return "box spline (not evaluated yet)";
+      return "box spline";
   }
   return {};
 }

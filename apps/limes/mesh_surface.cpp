@@ -14,8 +14,7 @@ Features features_of(const Mesh& mesh, const SchemeChoice& choice) {
 
 const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
   if (!has_exact_limit(scheme))
-    throw InputError("{}: the limit surface of {} cannot be evaluated exactly{}", file, scheme.name,
-                     scheme.patch == LimitPatch::none ? "" : " yet");
+    throw InputError("{}: the limit surface of {} cannot be evaluated exactly", file, scheme.name);
   return scheme;
 }
 

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "limes/core/types.h"
-#include "limes/mesh/topology.h"
+#include "limes/limit/limit_basis.h"
 
 namespace limes::app {
 
@@ -19,6 +18,6 @@ struct SamplePoint {
 /// Reads a table with the columns face, corner, u, v in any order; others are ignored.
 /// @throws InputError "FILE:LINE: ..." for what is no such table and for points outside their face
 [[nodiscard]] std::vector<SamplePoint> read_sample_points(const std::filesystem::path& file,
-                                                          const Topology& topology);
+                                                          const LimitBasis& basis);
 
 }  // namespace limes::app

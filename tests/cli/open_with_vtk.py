@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 LAGRANGE, BEZIER = 70, 77  # VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_QUADRILATERAL
+LAGRANGE_TRIANGLE, BEZIER_TRIANGLE = 69, 76
 SAMPLES = [(0.5, 0.5), (0.25, 0.75), (0.9, 0.2), (0.0, 0.4)]
 
 program, data = sys.argv[1], Path(sys.argv[2])
@@ -32,12 +33,12 @@ def opened(path):
     return reader.GetOutput()
 
 
-def evaluate(mesh, points):
-    """Positions at (face, u, v) of quads."""
+def evaluate(mesh, points, scheme="catmull-clark"):
+    """Positions at (face, u, v) of quads, or of triangles with loop."""
     table = out / "points.csv"
     table.write_text("face,corner,u,v\n" + "".join(f"{f},0,{u},{v}\n" for f, u, v in points))
     values = out / "values.csv"
-    limes("evaluate", mesh, "--scheme", "catmull-clark", "--at", table, "-o", values)
+    limes("evaluate", mesh, "--scheme", scheme, "--at", table, "-o", values)
     with open(values) as rows:
         return [tuple(float(row[c]) for c in "xyz") for row in csv.DictReader(rows)]
 
@@ -131,6 +132,40 @@ def limit_of_cube():
     assert sum(e < 1e-12 for e in errors) == len(cells) - 4  # all but those at the corners
 
 
+def triangulated_torus(columns=7, lines=6):
+    """All vertices of valence 6."""
+    points, faces = [], []
+    for i in range(columns):
+        for j in range(lines):
+            a, b = 2 * math.pi * i / columns, 2 * math.pi * j / lines
+            r = 3 + math.cos(b) + 0.1 * math.sin(5 * i + 3 * j)
+            points.append((r * math.cos(a), r * math.sin(a), math.sin(b)))
+            right, up = (i + 1) % columns * lines, (j + 1) % lines
+            v = i * lines + j, right + j, right + up, i * lines + up
+            faces += [(v[0], v[1], v[2]), (v[0], v[2], v[3])]
+    file = out / "triangles.obj"
+    file.write_text("".join("v %r %r %r\n" % p for p in points)
+                    + "".join("f %d %d %d\n" % tuple(k + 1 for k in f) for f in faces))
+    return file, len(faces)
+
+
+def limit_of_triangles():
+    mesh, faces = triangulated_torus()
+    places = [(0.2, 0.3), (0.5, 0.5), (0.0, 0.4), (0.1, 0.85)]
+    samples = [(face, u, v) for face in range(faces) for u, v in places]
+    expected = evaluate(mesh, samples, "loop")
+    for name, kind in ("lagrange", LAGRANGE_TRIANGLE), ("bezier", BEZIER_TRIANGLE):
+        limes("limit", mesh, "-o", out / "triangles.vtu", "--scheme", "loop", "--cells", name)
+        grid = opened(out / "triangles.vtu")
+        assert grid.GetNumberOfCells() == faces
+        for (face, u, v), x in zip(samples, expected):
+            assert grid.GetCellType(face) == kind
+            assert grid.GetCell(face).GetNumberOfPoints() == 15
+            expect_near(location(grid, face, u, v)[0], x, 1e-12, f"triangle {face} at {u}, {v}")
+        for array in "normal", "mean_curvature", "gauss_curvature":
+            expect_finite(grid, array)
+
+
 def result_of_block():
     problem = data / "block.toml"
     limes("solve", problem, "-o", out / "block")
@@ -167,4 +202,5 @@ def expect_continuous(grid, whole):
 
 limit_of_torus()
 limit_of_cube()
+limit_of_triangles()
 result_of_block()

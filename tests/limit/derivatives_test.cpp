@@ -24,9 +24,13 @@ struct Tile {
 };
 
 /// Middle of tile 1, 2 or 3 of ring k around corner 0 (see RingKind): [1/2, 1] x [0, 1/2] and so on
-/// times 2^(1-k).
-Tile ring_tile(int k, int child) {
+/// times 2^(1-k). In a triangle tile 3 is the one in the middle, upside down.
+Tile ring_tile(int k, int child, bool triangle) {
   const double w = std::ldexp(1.0, -k);
+  if (triangle) {
+    const std::array<Vec2, 3> middle{Vec2(4, 1), Vec2(1, 4), Vec2(2, 2)};
+    return {w / 3 * middle[static_cast<std::size_t>(child - 1)], w / 2};
+  }
   const std::array<Vec2, 3> origin{Vec2(w, 0), Vec2(w, w), Vec2(0, w)};
   return {origin[static_cast<std::size_t>(child - 1)] + Vec2(0.5 * w, 0.5 * w), w};
 }
@@ -43,14 +47,14 @@ Differences differences(const F& f, double h) {
 
 class DerivativesOf : public testing::TestWithParam<Shape> {};
 
-/// In the tiles of rings 3, 6 and 10 around corner 0 the surface of a face is one bicubic, so that
-/// five-point differences are exact but for rounding, which grows like 1/width.
+/// In the tiles of rings 3, 6 and 10 around corner 0 the surface of a face is one polynomial of degree
+/// 3 or 4, so that five-point differences are exact but for rounding, which grows like 1/width.
 TEST_P(DerivativesOf, EqualDifferencesInsideTiles) {
-  const Surface s(GetParam().mesh, GetParam().boundary);
+  const Surface s(GetParam());
   for (int f = 0; f < std::min(4, s.model.topology.num_faces()); ++f) {
     for (const int ring : {3, 6, 10}) {
       for (int child = 1; child <= 3; ++child) {
-        const Tile tile = ring_tile(ring, child);
+        const Tile tile = ring_tile(ring, child, s.basis.on_triangles());
         const FaceId face(f);
         const auto at = [&](double du, double dv) {
           return s.limit.position(face, 0, tile.middle + Vec2(du, dv));
@@ -80,8 +84,7 @@ TEST_P(DerivativesOf, EqualDifferencesInsideTiles) {
 }
 
 /// Shapes whose sharpness is gone, or infinite, from ring 3 on.
-std::vector<Shape> settled_shapes() {
-  std::vector<Shape> shapes = limit_shapes();
+std::vector<Shape> settled(std::vector<Shape> shapes) {
   std::erase_if(shapes, [](const Shape& s) {
     const auto lingers = [](float x) { return x > 2 && x < infinite_sharpness; };
     for (const CreaseTag& t : s.mesh.tags.creases)
@@ -93,7 +96,9 @@ std::vector<Shape> settled_shapes() {
   return shapes;
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, DerivativesOf, testing::ValuesIn(settled_shapes()),
+INSTANTIATE_TEST_SUITE_P(Zoo, DerivativesOf, testing::ValuesIn(settled(limit_shapes())),
+                         [](const auto& shape) { return shape.param.name; });
+INSTANTIATE_TEST_SUITE_P(Loop, DerivativesOf, testing::ValuesIn(settled(loop_shapes())),
                          [](const auto& shape) { return shape.param.name; });
 
 /// Value, first and second derivatives on both sides of a point on a tile border.

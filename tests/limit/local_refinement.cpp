@@ -116,6 +116,19 @@ void step_towards_point(Piece& p, const Scheme& scheme, int corner) {
   for (Vec3& x : p.model.points)
     x -= centre;
   p.origin += centre;
+  if (scheme.split == Split::triangles) {
+    // Weights of the corners; the child in the middle has its corners opposite ours.
+    const std::array<double, 3> w{1 - p.uv.x() - p.uv.y(), p.uv.x(), p.uv.y()};
+    const auto largest = std::max_element(w.begin(), w.end()) - w.begin();
+    const auto weight = [&](std::ptrdiff_t i) { return w[static_cast<std::size_t>(i % 3)]; };
+    const bool middle = weight(largest) <= 0.5;
+    p.uv = middle ? Vec2(1 - 2 * w[0], 1 - 2 * w[1])
+                  : Vec2(2 * weight(largest + 1), 2 * weight(largest + 2));
+    const FaceId next(4 * p.face.value + (middle ? 3 : static_cast<int>(largest)));
+    p.model = refined(p.model, scheme);
+    p.face = next;
+    return;
+  }
   int child = corner;
   if (topology.face_size(p.face) == 4) {
     const double u = p.uv.x();
@@ -194,6 +207,8 @@ Vec3 limit_by_refinement(const Model& model, const Scheme& scheme, FaceId face, 
     return p.model.points[static_cast<std::size_t>(
         p.model.topology.face(p.face)[static_cast<std::size_t>(i)].value)];
   };
+  if (scheme.split == Split::triangles)
+    return p.origin + (1 - u - v) * at(0) + u * at(1) + v * at(2);
   return p.origin + (1 - u) * ((1 - v) * at(0) + v * at(3)) + u * ((1 - v) * at(1) + v * at(2));
 }
 

@@ -31,7 +31,7 @@ void perturb(Mesh& mesh, double amount, unsigned seed = 1);
 Vec3 limit_by_refinement(const Model& model, const Scheme& scheme, FaceId face, int corner,
                          const Vec2& uv, int levels);
 
-/// Derivatives in u and v the same way: after `levels` steps the face is regular, and those of the
+/// Derivatives in u and v the same way, for Catmull-Clark: after `levels` steps the face is regular, and those of the
 /// uniform bicubic B-spline on the 16 points around it are scaled back. Points are kept relative to
 /// the face, so that no digits are lost on the way. Nothing if the face is not regular by then.
 std::optional<std::array<Vec3, 2>> tangents_by_refinement(const Model& model, const Scheme& scheme,

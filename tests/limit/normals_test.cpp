@@ -39,12 +39,12 @@ bool is_corner_or_crease(const RingKind& kind) {
 class TangentsOf : public testing::TestWithParam<Shape> {};
 
 /// rows A = L rows with a 2 x 2 matrix L whose eigenvalues are the second and third of A: the plane
-/// they span is what refinement shrinks least, which makes it the tangent plane. Where one or four faces lie
-/// beside a crease A has a Jordan block: that is left to the next test. At a
+/// they span is what refinement shrinks least, which makes it the tangent plane. Where one or four
+/// faces (Loop: six) lie beside a crease A has a Jordan block: that is left to the next test. At a
 /// corner, or across a crease, other faces have eigenvalues of their own, so there only the first
 /// part is asked for.
 TEST_P(TangentsOf, AreDominantLeftEigenvectors) {
-  const Surface s(GetParam().mesh, GetParam().boundary);
+  const Surface s(GetParam());
   const RingKinds& kinds = s.basis.kinds();
   for (int k = 0; k < kinds.size(); ++k) {  // refining a kind adds its children
     const RingKind& kind = kinds[k];
@@ -53,7 +53,8 @@ TEST_P(TangentsOf, AreDominantLeftEigenvectors) {
     if (!refined.self_similar || !refined.tangents || kind.ring.num_controls > 150) continue;
     const Adjacency ring(kind.ring.topology, Adjacency::Check::edges);
     const int num_faces = ring.num_ring_faces(VertexId(0));
-    if (ring.is_boundary(VertexId(0)) && (num_faces == 1 || num_faces == 4)) continue;
+    const bool jordan = s.basis.on_triangles() ? num_faces == 6 : num_faces == 1 || num_faces == 4;
+    if (ring.is_boundary(VertexId(0)) && jordan) continue;
     const MatrixX A(refined.children[0].A);
     const MatrixX t = *refined.tangents;
     EXPECT_LE((t.rowwise().sum()).norm(), 1e-13) << "not a difference";
@@ -73,6 +74,8 @@ TEST_P(TangentsOf, AreDominantLeftEigenvectors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Zoo, TangentsOf, testing::ValuesIn(limit_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+INSTANTIATE_TEST_SUITE_P(Loop, TangentsOf, testing::ValuesIn(loop_shapes()),
                          [](const auto& shape) { return shape.param.name; });
 
 /// Normals of face f on a short arc around its corner 0; nothing if one is lost there.
@@ -129,6 +132,7 @@ bool has_jordan_block(const Surface& s, FaceId f) {
   });
   if (sectors.size() == 1 && !s.basis.adjacency().is_boundary(VertexId(0))) return false;
   const bool corner = sectors.size() > 2 || !s.basis.features().vertices.empty();
+  if (s.basis.on_triangles()) return own->size() == (corner ? 3 : 6);
   return corner ? own->size() == 2 : own->size() == 1 || own->size() == 4;
 }
 
@@ -136,7 +140,7 @@ class NormalsOf : public testing::TestWithParam<Shape> {};
 
 /// Valences up to 12; beyond, normals come near so slowly that 150 levels do not show it.
 TEST_P(NormalsOf, AreLimitsOfNormalsNearby) {
-  const Surface s(GetParam().mesh, GetParam().boundary);
+  const Surface s(GetParam());
   if (s.basis.adjacency().valence(VertexId(0)) > 12) return;
   const auto starts_at_0 = [&](FaceId f) { return s.model.topology.face(f)[0] == VertexId(0); };
   for (const std::vector<FaceId>& sector : sectors_of(s)) {
@@ -170,6 +174,8 @@ TEST_P(NormalsOf, AreLimitsOfNormalsNearby) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Zoo, NormalsOf, testing::ValuesIn(limit_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+INSTANTIATE_TEST_SUITE_P(Loop, NormalsOf, testing::ValuesIn(loop_shapes()),
                          [](const auto& shape) { return shape.param.name; });
 
 /// The subdominant eigenvalue of an interior vertex, in closed form [stam_1998].

@@ -17,16 +17,20 @@ namespace {
 class LimitOf : public testing::TestWithParam<Shape> {};
 
 /// Corners, borders, points close to corner 0 and random ones.
-std::vector<Vec2> sample_points(std::mt19937& random) {
+std::vector<Vec2> sample_points(std::mt19937& random, bool triangle) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<Vec2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.3, 0}, {1, 0.7}};
-  for (const double scale : {1.0, 1.0, 1.0, 1.0, 0.1, 1e-3, 1e-5})
-    points.emplace_back(scale * unit(random), scale * unit(random));
+  if (triangle) points = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0.3, 0}, {0.3, 0.7}};
+  for (const double scale : {1.0, 1.0, 1.0, 1.0, 0.1, 1e-3, 1e-5}) {
+    Vec2 uv(unit(random), unit(random));
+    if (triangle && uv.sum() > 1) uv = Vec2(1, 1) - uv;
+    points.emplace_back(scale * uv);
+  }
   return points;
 }
 
 TEST_P(LimitOf, EqualsDeepRefinement) {
-  const Scheme& scheme = find_scheme("catmull-clark");
+  const Scheme& scheme = find_scheme(GetParam().scheme);
   const Model model = make_model(GetParam().mesh, GetParam().boundary);
   const LimitBasis basis(model.topology, model.features, scheme);
   const LimitSurface surface(basis, model.points);
@@ -39,7 +43,7 @@ TEST_P(LimitOf, EqualsDeepRefinement) {
   };
   const int num_faces = std::min(6, model.topology.num_faces());
   for (int f = 0; f < num_faces; ++f) {
-    for (const Vec2& uv : sample_points(random)) {
+    for (const Vec2& uv : sample_points(random, basis.on_triangles())) {
       const FaceId face(f);
       const int corner =
           static_cast<int>(random() % static_cast<unsigned>(basis.num_quadrants(face)));
@@ -51,7 +55,8 @@ TEST_P(LimitOf, EqualsDeepRefinement) {
 }
 
 /// One point at a time and in bulk.
-TEST_P(LimitOf, HasTheTangentsOfDeepRefinement) {
+class CatmullClarkLimitOf : public LimitOf {};
+TEST_P(CatmullClarkLimitOf, HasTheTangentsOfDeepRefinement) {
   const Scheme& scheme = find_scheme("catmull-clark");
   const Model model = make_model(GetParam().mesh, GetParam().boundary);
   const LimitBasis basis(model.topology, model.features, scheme);
@@ -84,6 +89,10 @@ TEST_P(LimitOf, HasTheTangentsOfDeepRefinement) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Zoo, LimitOf, testing::ValuesIn(limit_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+INSTANTIATE_TEST_SUITE_P(Loop, LimitOf, testing::ValuesIn(loop_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+INSTANTIATE_TEST_SUITE_P(Zoo, CatmullClarkLimitOf, testing::ValuesIn(limit_shapes()),
                          [](const auto& shape) { return shape.param.name; });
 
 }  // namespace

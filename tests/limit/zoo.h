@@ -13,6 +13,7 @@ struct Shape {
   std::string name;
   Mesh mesh;
   BoundaryRule boundary = BoundaryRule::edges;
+  std::string scheme = "catmull-clark";
 };
 
 inline void PrintTo(const Shape& shape, std::ostream* out) {
@@ -22,5 +23,8 @@ inline void PrintTo(const Shape& shape, std::ostream* out) {
 /// Everything a limit must get right: interior valences 3 to 400, boundary valences, corners, sharp
 /// and semi-sharp creases and darts, both crease methods, polygons, several features in one face.
 std::vector<Shape> limit_shapes();
+
+/// The same of triangles, for loop.
+std::vector<Shape> loop_shapes();
 
 }  // namespace limes::test

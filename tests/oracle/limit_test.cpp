@@ -36,6 +36,11 @@ class DyadicPoints {
     const auto& base = refiner_.GetLevel(0);
     const auto v = base.GetFaceVertices(f);
     const FaceId face(f);
+    if (refiner_.GetSchemeType() == osd::Sdc::SCHEME_LOOP) {
+      descend(0, f,
+              {{v[0], {face, 0, {0, 0}}}, {v[1], {face, 0, {1, 0}}}, {v[2], {face, 0, {0, 1}}}});
+      return found_;
+    }
     if (v.size() == 4) {
       descend(0, f,
               {{v[0], {face, 0, {0, 0}}},
@@ -67,19 +72,19 @@ class DyadicPoints {
     std::map<int, Parameter> known;
     Parameter middle = corners.at(v[0]);
     middle.uv.setZero();
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < v.size(); ++i) {
       const Parameter& a = corners.at(v[i]);
-      const Parameter& b = corners.at(v[(i + 1) % 4]);
+      const Parameter& b = corners.at(v[(i + 1) % v.size()]);
       known[mesh.GetVertexChildVertex(v[i])] = a;
       known[mesh.GetEdgeChildVertex(edges[i])] = {a.face, a.corner, (a.uv + b.uv) / 2};
       middle.uv += a.uv / 4;
     }
-    known[mesh.GetFaceChildVertex(face)] = middle;
+    if (v.size() == 4) known[mesh.GetFaceChildVertex(face)] = middle;
     const auto children = mesh.GetFaceChildFaces(face);
     for (int i = 0; i < children.size(); ++i) {
       std::map<int, Parameter> next;
       const auto child = refiner_.GetLevel(level + 1).GetFaceVertices(children[i]);
-      for (int j = 0; j < 4; ++j)
+      for (int j = 0; j < child.size(); ++j)
         next[child[j]] = known.at(child[j]);
       descend(level + 1, children[i], next);
     }
@@ -94,7 +99,7 @@ class OpenSubdivLimit : public testing::TestWithParam<Case> {
  protected:
   OpenSubdivLimit()
       : mesh_(read_shape(GetParam().shape)),
-        scheme_(find_scheme("catmull-clark")),
+        scheme_(find_scheme(GetParam().shape.starts_with("loop") ? "loop" : "catmull-clark")),
         basis_(mesh_.topology,
                resolve_tags(Adjacency(mesh_.topology), mesh_.tags, GetParam().boundary), scheme_),
         surface_(basis_, mesh_.points.span()) {}
@@ -155,7 +160,8 @@ TEST_P(OpenSubdivLimit, EqualsPatchesAtRandomPoints) {
   for (int i = 0; i < 50; ++i) {
     const FaceId f(faces[below(faces.size())]);
     const int corner = static_cast<int>(below(static_cast<std::size_t>(basis_.num_quadrants(f))));
-    const Vec2 uv(unit(random), unit(random));
+    Vec2 uv(unit(random), unit(random));
+    if (basis_.on_triangles() && uv.sum() > 1) uv = Vec2(1, 1) - uv;
     SCOPED_TRACE(testing::Message()
                  << "face " << f.value << " corner " << corner << " at " << uv.transpose());
     const LimitPatches::Point theirs = patches.evaluate(f, corner, uv);
@@ -176,6 +182,52 @@ TEST_P(OpenSubdivLimit, EqualsPatchesAtRandomPoints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, OpenSubdivLimit, testing::ValuesIn(manifold_cases("catmark")),
+                         [](const auto& c) { return name_of(c.param); });
+INSTANTIATE_TEST_SUITE_P(Loop, OpenSubdivLimit, testing::ValuesIn(manifold_cases("loop")),
+                         [](const auto& c) { return name_of(c.param); });
+
+/// Where OpenSubdiv's tangent masks hold for loop: not beside a boundary or crease with four faces or
+/// more on a side (docs/theory/loop.md).
+bool has_exact_tangents(const osd::Far::TopologyLevel& level, int vertex) {
+  if (!has_exact_limit(level, vertex)) return false;
+  const auto rule = level.GetVertexRule(vertex);
+  if (rule == osd::Sdc::Crease::RULE_SMOOTH) return true;
+  if (rule != osd::Sdc::Crease::RULE_CREASE || !level.IsVertexBoundary(vertex)) return false;
+  return level.GetVertexFaces(vertex).size() <= 3;
+}
+
+using OpenSubdivLoopLimit = OpenSubdivLimit;
+
+/// The tangent planes at the vertices of level 2, by their normals.
+TEST_P(OpenSubdivLoopLimit, EqualsTangentPlanesAtRefinedVertices) {
+  const int level = 2;
+  const auto refiner = make_refiner(mesh_, scheme_, GetParam().boundary);
+  const auto positions = refine_uniformly(*refiner, mesh_, level);
+  const auto [first, second] = tangents_of_last_level(*refiner, positions.back());
+  DyadicPoints points(*refiner, level);
+  int compared = 0;
+  int faces_visible = 0;
+  for (int f = 0; f < mesh_.topology.num_faces(); ++f) {
+    if (!visible(*refiner, f)) continue;
+    ++faces_visible;
+    for (const auto& [vertex, at] : points.of_face(f)) {
+      if (!has_exact_tangents(refiner->GetLevel(level), vertex)) continue;
+      const Vec3& a = first[static_cast<std::size_t>(vertex)];
+      const Vec3& b = second[static_cast<std::size_t>(vertex)];
+      const Vec3 normal = a.cross(b);
+      if (normal.norm() < 1e-6 * a.norm() * b.norm()) continue;
+      const SurfacePoint ours = surface_.evaluate(at.face, at.corner, at.uv);
+      SCOPED_TRACE(testing::Message()
+                   << "face " << f << " at " << at.uv.transpose() << " vertex " << vertex);
+      ASSERT_TRUE(ours.normal);
+      EXPECT_LE((*ours.normal - normal.normalized()).norm(), 1e-9);
+      ++compared;
+    }
+  }
+  EXPECT_TRUE(compared > 0 || faces_visible == 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loop, OpenSubdivLoopLimit, testing::ValuesIn(manifold_cases("loop")),
                          [](const auto& c) { return name_of(c.param); });
 
 }  // namespace

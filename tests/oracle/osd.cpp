@@ -117,6 +117,14 @@ std::vector<Vec3> limit_of_last_level(const osd::Far::TopologyRefiner& refiner,
   return positions(limit);
 }
 
+std::array<std::vector<Vec3>, 2> tangents_of_last_level(const osd::Far::TopologyRefiner& refiner,
+                                                        const std::vector<Vec3>& last) {
+  const osd::Far::PrimvarRefinerReal<double> primvar(refiner);
+  std::vector<Value> limit(last.size()), first(last.size()), second(last.size());
+  primvar.Limit(values(last), limit, first, second);
+  return {positions(first), positions(second)};
+}
+
 bool has_exact_limit(const osd::Far::TopologyLevel& level, int vertex) {
   if (level.IsVertexSemiSharp(vertex)) return false;
   if (level.GetVertexRule(vertex) == osd::Sdc::Crease::RULE_DART) return false;
@@ -166,7 +174,9 @@ LimitPatches::Point LimitPatches::evaluate(FaceId f, int corner, const Vec2& uv)
   const auto* handle = map_->FindPatch(ptex, uv.x(), uv.y());
   if (!handle) return out;
   out.exists = true;
-  out.regular = table_->GetPatchDescriptor(*handle).GetType() == osd::Far::PatchDescriptor::REGULAR;
+  const auto type = table_->GetPatchDescriptor(*handle).GetType();
+  out.regular =
+      type == osd::Far::PatchDescriptor::REGULAR || type == osd::Far::PatchDescriptor::LOOP;
   std::array<std::array<double, 32>, 6> w{};
   table_->EvaluateBasis(*handle, uv.x(), uv.y(), w[0].data(), w[1].data(), w[2].data(), w[3].data(),
                         w[4].data(), w[5].data());
@@ -177,13 +187,16 @@ LimitPatches::Point LimitPatches::evaluate(FaceId f, int corner, const Vec2& uv)
       x += w[k][static_cast<std::size_t>(i)] * points_[static_cast<std::size_t>(vertices[i])];
     return x;
   };
-  const double scale = topology_.face_size(f) == 4 ? 1.0 : 0.5;
+  const int whole = refiner_->GetSchemeType() == osd::Sdc::SCHEME_LOOP ? 3 : 4;
+  const double scale = topology_.face_size(f) == whole ? 1.0 : 0.5;
   out.x = sum(0);
   out.xu = scale * sum(1);
   out.xv = scale * sum(2);
-  out.xuu = scale * scale * sum(3);
-  out.xuv = scale * scale * sum(4);
-  out.xvv = scale * scale * sum(5);
+  const bool upside_down = whole == 3 && table_->GetPatchParam(*handle).IsTriangleRotated();
+  const double second = (upside_down ? -1.0 : 1.0) * scale * scale;
+  out.xuu = second * sum(3);
+  out.xuv = second * sum(4);
+  out.xvv = second * sum(5);
   return out;
 }
 

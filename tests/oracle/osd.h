@@ -30,6 +30,10 @@ std::vector<std::vector<Vec3>> refine_uniformly(osd::Far::TopologyRefiner& refin
 std::vector<Vec3> limit_of_last_level(const osd::Far::TopologyRefiner& refiner,
                                       const std::vector<Vec3>& last);
 
+/// Two tangents at these vertices, by the masks.
+std::array<std::vector<Vec3>, 2> tangents_of_last_level(const osd::Far::TopologyRefiner& refiner,
+                                                        const std::vector<Vec3>& last);
+
 /// Whether the limit mask at a vertex is exact. It is not while a crease there is semi-sharp, at a
 /// dart (OpenSubdiv takes the smooth mask beside a sharp edge), and at an interior vertex of
 /// valence 2 (it returns the vertex itself).
@@ -46,7 +50,8 @@ class LimitPatches {
     Vec3 x, xu, xv, xuu, xuv, xvv;
   };
   /// Derivatives are with respect to the (u, v) passed in. OpenSubdiv's own are, in a face that is
-  /// no quad, with respect to parameters in which a quadrant is half a unit wide.
+  /// no quad, with respect to parameters in which a quadrant is half a unit wide; its second derivatives
+  /// have the wrong sign on the triangles of loop that lie upside down.
   Point evaluate(FaceId f, int corner, const Vec2& uv) const;
 
  private:

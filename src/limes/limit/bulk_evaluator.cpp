@@ -30,6 +30,7 @@ BulkEvaluator::BulkEvaluator(const LimitBasis& basis, std::span<const Vec3> poin
       faces_(static_cast<std::size_t>(basis.topology().num_faces())),
       tree_of_kind_(static_cast<std::size_t>(basis.kinds().size())) {
   LIMES_ASSERT(static_cast<int>(points.size()) == basis.topology().num_vertices());
+  require_squares(basis.scheme(), "bulk evaluation");
 }
 
 BulkEvaluator::~BulkEvaluator() {

@@ -44,6 +44,7 @@ class BulkEvaluator {
  public:
   /// Keeps a reference to the basis and a copy of the points.
   /// @param points  one per vertex of the basis
+  /// @throws InputError for a scheme of triangles
   BulkEvaluator(const LimitBasis& basis, std::span<const Vec3> points);
   BulkEvaluator(const BulkEvaluator&) = delete;
   BulkEvaluator& operator=(const BulkEvaluator&) = delete;

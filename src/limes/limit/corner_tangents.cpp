@@ -14,11 +14,12 @@ namespace {
 using TangentRows = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
 /// The one-ring of corner 0 in counter-clockwise order: ends of the edges, far corners of the faces
-/// (face i between edges i and i + 1), sharpness of the edges. It starts at the face of interest
-/// for an interior ring, at the boundary otherwise.
+/// (face i between edges i and i + 1; triangles have none), sharpness of the edges. It starts at the
+/// face of interest for an interior ring, at the boundary otherwise.
 struct OneRing {
   std::vector<VertexId> edge_ends, face_ends;
   std::vector<float> edge_sharpness;
+  int num_faces = 0;
   bool boundary = false;
   int home = 0;  ///< index of the ring's own face
 };
@@ -31,11 +32,13 @@ OneRing one_ring(const Ring& ring) {
   const HalfedgeId own = ring.topology.halfedge(FaceId(0), 0);
   const HalfedgeId start = out.boundary ? adjacency.ring_start(VertexId(0)) : own;
   for (HalfedgeId h = start; h.valid();) {
-    if (h == own) out.home = static_cast<int>(out.face_ends.size());
+    if (h == own) out.home = out.num_faces;
+    ++out.num_faces;
     out.edge_ends.push_back(adjacency.to(h));
     out.edge_sharpness.push_back(sharpness.edge(adjacency.edge(h)));
-    out.face_ends.push_back(adjacency.to(adjacency.next(h)));
     const HalfedgeId in = adjacency.prev(h);
+    if (ring.topology.face_size(adjacency.face(h)) == 4)
+      out.face_ends.push_back(adjacency.to(adjacency.next(h)));
     if (!adjacency.twin(in).valid()) {
       out.edge_ends.push_back(adjacency.from(in));
       out.edge_sharpness.push_back(sharpness.edge(adjacency.edge(in)));
@@ -46,30 +49,44 @@ OneRing one_ring(const Ring& ring) {
   return out;
 }
 
-/// Subdominant eigenvalue of the Fourier block at angle theta, [stam_1998].
-double block_eigenvalue(double theta) {
+/// The slowest mode of the smooth rules around a vertex that turns by the angle theta from edge to
+/// edge: as a left eigenvector edge i has the weight 4 cos(i theta), face i the weight
+/// `face` (cos(i theta) + cos((i + 1) theta)).
+struct Mode {
+  double eigenvalue;
+  double face;
+  double beside;  ///< what an edge of a crease gets of the mode's first edge, over sin(theta)
+};
+
+/// Catmull-Clark: [stam_1998]. Loop: [loop_1987], one-rings have no face points.
+Mode mode(LimitPatch patch, double theta) {
   const double c = std::cos(theta);
-  return (c + 5.0 + std::sqrt((c + 9.0) * (c + 1.0))) / 16.0;
+  if (patch == LimitPatch::box_spline) return {3.0 / 8.0 + c / 4.0, 0.0, 0.5};
+  const double eigenvalue = (c + 5.0 + std::sqrt((c + 9.0) * (c + 1.0))) / 16.0;
+  const double face = 1.0 / (4.0 * eigenvalue - 1.0);
+  return {eigenvalue, face, (1.0 + face) / 4.0};
 }
 
 /// Smooth interior vertex of valence n: left eigenvectors of the double subdominant eigenvalue,
 /// [halstead_1993]. For n = 2 the two are the differences of the edge ends and of the face ends.
-TangentRows smooth_tangents(const OneRing& one, int num_controls) {
+TangentRows smooth_tangents(const OneRing& one, LimitPatch patch, int num_controls) {
   TangentRows t = TangentRows::Zero(2, num_controls);
-  const std::size_t n = one.face_ends.size();
-  if (n == 2) {
+  if (one.num_faces == 2) {
     t(0, one.edge_ends[0].value) += 1.0;
     t(0, one.edge_ends[1].value) -= 1.0;
     t(1, one.face_ends[0].value) += 1.0;
     t(1, one.face_ends[1].value) -= 1.0;
     return t;
   }
-  const double theta = 2.0 * std::numbers::pi / static_cast<double>(n);
-  const double face = 1.0 / (4.0 * block_eigenvalue(theta) - 1.0);
-  for (std::size_t i = 0; i < n; ++i) {
+  const double theta = 2.0 * std::numbers::pi / one.num_faces;
+  const double face = mode(patch, theta).face;
+  for (std::size_t i = 0; i < one.edge_ends.size(); ++i) {
     const double a = theta * static_cast<double>(i);
     t(0, one.edge_ends[i].value) += 4.0 * std::cos(a);
     t(1, one.edge_ends[i].value) += 4.0 * std::sin(a);
+  }
+  for (std::size_t i = 0; i < one.face_ends.size(); ++i) {
+    const double a = theta * static_cast<double>(i);
     t(0, one.face_ends[i].value) += face * (std::cos(a) + std::cos(a + theta));
     t(1, one.face_ends[i].value) += face * (std::sin(a) + std::sin(a + theta));
   }
@@ -79,10 +96,11 @@ TangentRows smooth_tangents(const OneRing& one, int num_controls) {
 /// The faces of the sector that holds the ring's own face, between two sharp edges.
 struct Sector {
   std::vector<VertexId> edge_ends, face_ends;
+  [[nodiscard]] int num_faces() const { return static_cast<int>(edge_ends.size()) - 1; }
 };
 
 Sector own_sector(const OneRing& one) {
-  const int num_faces = static_cast<int>(one.face_ends.size());
+  const int num_faces = one.num_faces;
   const int num_edges = static_cast<int>(one.edge_ends.size());
   const auto sharp = [&](int i) {
     return is_sharp(one.edge_sharpness[static_cast<std::size_t>(i % num_edges)]);
@@ -94,24 +112,31 @@ Sector own_sector(const OneRing& one) {
   int i = first;
   do {
     sector.edge_ends.push_back(one.edge_ends[static_cast<std::size_t>(i % num_edges)]);
-    sector.face_ends.push_back(one.face_ends[static_cast<std::size_t>(i % num_faces)]);
+    if (!one.face_ends.empty())
+      sector.face_ends.push_back(one.face_ends[static_cast<std::size_t>(i % num_faces)]);
     ++i;
   } while (!sharp(i));
   sector.edge_ends.push_back(one.edge_ends[static_cast<std::size_t>(i % num_edges)]);
   return sector;
 }
 
+/// Whether a mode fades at least as fast as the edges of a crease, whose eigenvalue is 1/2. If it is
+/// 1/2 too, the two share a Jordan block in which the edges feed the mode: it lies in their plane.
+bool fades(const Mode& m) {
+  return m.eigenvalue <= 0.5 + 1e-12;
+}
+
 /// Crease or boundary vertex with k faces on this side: along the crease, with eigenvalue 1/2, and
 /// across it, with the eigenvalue of the angle pi / k (docs/theory/limit.md derives the weights; the
 /// masks of [biermann_2000] hold for their changed rules, where that eigenvalue is 1/2 too).
 ///
-/// For k = 1 the two belong to a Jordan block; the direction into the face is that of the two crease
-/// edges' mean. From k = 5 on the angle 2 pi / k has an eigenvalue above 1/2: normals tend to one
+/// For k = 1 the direction into the face is that of the two crease edges' mean. From some k on (5 for
+/// Catmull-Clark, 7 for Loop) the angle 2 pi / k has an eigenvalue above 1/2: normals tend to one
 /// limit along the crease and to another from within, so there is none.
-std::optional<TangentRows> crease_tangents(const Sector& s, int num_controls) {
+std::optional<TangentRows> crease_tangents(const Sector& s, LimitPatch patch, int num_controls) {
   TangentRows t = TangentRows::Zero(2, num_controls);
-  const std::size_t k = s.face_ends.size();
-  if (k > 4) return {};
+  const int k = s.num_faces();
+  if (k > 2 && !fades(mode(patch, 2.0 * std::numbers::pi / k))) return {};
   t(0, s.edge_ends.front().value) += 0.5;
   t(0, s.edge_ends.back().value) -= 0.5;
   if (k == 1) {
@@ -120,24 +145,26 @@ std::optional<TangentRows> crease_tangents(const Sector& s, int num_controls) {
     t(1, s.edge_ends.back().value) += 1.0;
     return t;
   }
-  const double theta = std::numbers::pi / static_cast<double>(k);
-  const double q = 1.0 / (4.0 * block_eigenvalue(theta) - 1.0);
-  const double sum = 1.0 / std::tan(theta / 2.0);  // of sin(i theta), 0 < i < k
-  const double crease = q * (std::sin(theta) * (1.0 + q) - sum * (2.0 + q));
-  t(1, 0) -= 2.0 * crease + sum * (4.0 + 2.0 * q);
+  const double theta = std::numbers::pi / k;
+  const Mode m = mode(patch, theta);
+  const double sum = (4.0 + 2.0 * m.face) / std::tan(theta / 2.0);  // of the weights inside
+  const double crease = (m.beside * std::sin(theta) - sum / 8.0) / (m.eigenvalue - 0.25);
+  t(1, 0) -= 2.0 * crease + sum;
   t(1, s.edge_ends.front().value) += crease;
   t(1, s.edge_ends.back().value) += crease;
-  for (std::size_t i = 0; i < k; ++i) {
+  for (std::size_t i = 1; i + 1 < s.edge_ends.size(); ++i)
+    t(1, s.edge_ends[i].value) += 4.0 * std::sin(theta * static_cast<double>(i));
+  for (std::size_t i = 0; i < s.face_ends.size(); ++i) {
     const double a = theta * static_cast<double>(i);
-    if (i > 0) t(1, s.edge_ends[i].value) += 4.0 * std::sin(a);
-    t(1, s.face_ends[i].value) += q * (std::sin(a) + std::sin(a + theta));
+    t(1, s.face_ends[i].value) += m.face * (std::sin(a) + std::sin(a + theta));
   }
   return t;
 }
 
 /// Dart: no symmetry to use. The left eigenvectors of the two largest eigenvalues below 1 of the
 /// one-ring's own matrix, oriented like the smooth ones.
-std::optional<TangentRows> dart_tangents(const OneRing& one, const SparseMatrix& A) {
+std::optional<TangentRows> dart_tangents(const OneRing& one, LimitPatch patch,
+                                         const SparseMatrix& A) {
   std::vector<VertexId> ids{VertexId(0)};
   ids.insert(ids.end(), one.edge_ends.begin(), one.edge_ends.end());
   ids.insert(ids.end(), one.face_ends.begin(), one.face_ends.end());
@@ -163,13 +190,16 @@ std::optional<TangentRows> dart_tangents(const OneRing& one, const SparseMatrix&
       t(k, ids[static_cast<std::size_t>(i)].value) += v(i).real();
   }
   // Orientation: on the plane regular polygon the smooth tangents are counter-clockwise.
-  const TangentRows smooth = smooth_tangents(one, static_cast<int>(A.cols()));
+  const TangentRows smooth = smooth_tangents(one, patch, static_cast<int>(A.cols()));
   Eigen::Matrix<double, Eigen::Dynamic, 2> polygon =
       Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(A.cols(), 2);
-  const double theta = 2.0 * std::numbers::pi / static_cast<double>(one.face_ends.size());
-  for (std::size_t i = 0; i < one.face_ends.size(); ++i) {
+  const double theta = 2.0 * std::numbers::pi / one.num_faces;
+  for (std::size_t i = 0; i < one.edge_ends.size(); ++i) {
     const double a = theta * static_cast<double>(i);
     polygon.row(one.edge_ends[i].value) << std::cos(a), std::sin(a);
+  }
+  for (std::size_t i = 0; i < one.face_ends.size(); ++i) {
+    const double a = theta * static_cast<double>(i);
     polygon.row(one.face_ends[i].value) << std::cos(a) + std::cos(a + theta),
         std::sin(a) + std::sin(a + theta);
   }
@@ -181,7 +211,8 @@ std::optional<TangentRows> dart_tangents(const OneRing& one, const SparseMatrix&
 
 }  // namespace
 
-std::optional<TangentRows> corner_tangents(const Ring& ring, const SparseMatrix& A) {
+std::optional<TangentRows> corner_tangents(const Ring& ring, LimitPatch patch,
+                                           const SparseMatrix& A) {
   const OneRing one = one_ring(ring);
   const int num_controls = ring.num_controls;
   const bool sharp_vertex =
@@ -190,11 +221,11 @@ std::optional<TangentRows> corner_tangents(const Ring& ring, const SparseMatrix&
   const float vertex_sharpness = sharp_vertex ? infinite_sharpness : 0.0F;
   switch (vertex_rule(vertex_sharpness, one.edge_sharpness)) {
     case VertexRule::smooth:
-      return smooth_tangents(one, num_controls);
+      return smooth_tangents(one, patch, num_controls);
     case VertexRule::dart:
-      return dart_tangents(one, A);
+      return dart_tangents(one, patch, A);
     case VertexRule::crease:
-      return crease_tangents(own_sector(one), num_controls);
+      return crease_tangents(own_sector(one), patch, num_controls);
     case VertexRule::corner:
       break;
   }
@@ -202,9 +233,9 @@ std::optional<TangentRows> corner_tangents(const Ring& ring, const SparseMatrix&
       std::count_if(one.edge_sharpness.begin(), one.edge_sharpness.end(), is_sharp) >= 2;
   if (!has_sector) return {};
   const Sector sector = own_sector(one);
-  // With two faces the mode of the edge between them has the eigenvalue 1/2 too, in a Jordan block
-  // that the crease edges feed: it lies in their plane. With more it is larger, and no plane remains.
-  if (sector.face_ends.size() > 2) return {};
+  // Above two faces (Catmull-Clark) or three (Loop) the edges inside outlast those at the sides, and
+  // no plane remains.
+  if (!fades(mode(patch, std::numbers::pi / sector.num_faces()))) return {};
   TangentRows t = TangentRows::Zero(2, num_controls);
   t(0, 0) -= 1.0;
   t(0, sector.edge_ends.front().value) += 1.0;

@@ -1,7 +1,6 @@
 #include "limes/limit/curved_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -15,36 +14,31 @@ constexpr int max_depth = 40;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The cubic Lagrange polynomials of the nodes 0, 1/3, 2/3, 1.
-std::array<double, 4> lagrange(double t) {
-  const double a = t, b = 3.0 * t - 1.0, c = 3.0 * t - 2.0, d = t - 1.0;
-  return {-b * c * d / 2.0, 9.0 * a * c * d / 2.0, -9.0 * a * b * d / 2.0, a * b * c / 2.0};
-}
-
-/// Where cells are compared with the surface, in both directions: between the nodes, and close to
-/// the borders, where the polynomial near an extraordinary vertex is worst.
-constexpr std::array<double, 9> sample_parameters{
-    0.5, 1.0 / 9.0, 8.0 / 9.0, 2.0 / 9.0, 7.0 / 9.0, 1.0 / 24.0, 23.0 / 24.0, 0.0, 1.0};
-
 /// Converts one face.
 class FaceCells {
  public:
   FaceCells(const LimitSurface& surface, FaceId face, double tolerance, CurvedCells& out)
-      : surface_(surface), face_(face), tolerance_(tolerance), out_(out) {}
+      : surface_(surface),
+        shape_(cell_shape(surface.basis().scheme().split)),
+        face_(face),
+        tolerance_(tolerance),
+        out_(out) {}
 
   void convert() {
     const LimitBasis& basis = surface_.basis();
     const int kind = basis.kind(face_);
-    const bool quad = basis.topology().face_size(face_) == 4;
-    for (int corner = 0; corner < basis.num_quadrants(face_); ++corner) {
+    const int num_quadrants = basis.num_quadrants(face_);
+    for (int corner = 0; corner < num_quadrants; ++corner) {
       const int quadrant =
-          quad ? kind : basis.kinds().refined(kind).children[static_cast<std::size_t>(corner)].kind;
+          num_quadrants == 1
+              ? kind
+              : basis.kinds().refined(kind).children[static_cast<std::size_t>(corner)].kind;
       visit({quadrant, 0, 0}, {face_, corner, Vec2::Zero(), 1.0, false, 0.0});
     }
   }
 
  private:
-  /// A square on the way down: its kind, whose corner 0 is the square's corner `rotation`.
+  /// A cell on the way down: its kind, whose corner 0 is the cell's corner `rotation`.
   struct Step {
     int kind, rotation, depth;
   };
@@ -60,51 +54,51 @@ class FaceCells {
   }
 
   void split(const Step& step, const CurvedCells::Cell& cell) {
-    const RefinedKind& kind = surface_.basis().kinds().refined(step.kind);
-    const double half = 0.5 * cell.size;
-    for (int q = 0; q < 4; ++q) {
-      const int child = (q - step.rotation + 4) % 4;
-      CurvedCells::Cell part = cell;
-      part.origin += half * square_corners[static_cast<std::size_t>(q)];
-      part.size = half;
-      part.deviation = 0.0;
-      visit({kind.children[static_cast<std::size_t>(child)].kind, q, step.depth + 1}, part);
+    const int num_corners = shape_.triangle ? 3 : 4;
+    for (int q = 0; q < num_corners; ++q) {
+      const auto corner = static_cast<std::size_t>(q);
+      const int child = (q - step.rotation + num_corners) % num_corners;
+      visit_part(step, child, q, cell,
+                 shape_.triangle ? triangle_corners[corner] : square_corners[corner], 0.5);
     }
+    // Upside down; its first corner lies opposite the triangle's.
+    if (shape_.triangle) visit_part(step, 3, (step.rotation + 2) % 3, cell, Vec2(1, 1), -0.5);
+  }
+  void visit_part(const Step& step, int child, int rotation, const CurvedCells::Cell& cell,
+                  const Vec2& origin, double size) {
+    const RefinedKind& kind = surface_.basis().kinds().refined(step.kind);
+    CurvedCells::Cell part = cell;
+    part.origin += 0.5 * cell.size * origin;
+    part.size *= size;
+    part.deviation = 0.0;
+    visit({kind.children[static_cast<std::size_t>(child)].kind, rotation, step.depth + 1}, part);
   }
 
-  [[nodiscard]] static Vec2 parameters(const CurvedCells::Cell& cell, double s, double t) {
-    return cell.origin + cell.size * Vec2(s, t);
+  [[nodiscard]] static Vec2 parameters(const CurvedCells::Cell& cell, const Vec2& st) {
+    return cell.origin + cell.size * st;
   }
 
   /// Stops once it is larger than `enough`.
   [[nodiscard]] double deviation(const CurvedCells::Cell& cell, double enough) const {
-    std::array<Vec3, CurvedCells::nodes_per_cell> nodes;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      nodes[k] = surface_.position(face_, cell.corner, node(cell, k));
+    const auto at = [&](const Vec2& st) {
+      return surface_.position(face_, cell.corner, parameters(cell, st));
+    };
+    Eigen::Matrix<double, Eigen::Dynamic, 3> nodes(shape_.num_nodes(), 3);
+    for (std::size_t k = 0; k < shape_.nodes.size(); ++k)
+      nodes.row(static_cast<Eigen::Index>(k)) = at(shape_.nodes[k]).transpose();
     double largest = 0;
-    for (const double t : sample_parameters) {
-      const auto along_v = lagrange(t);
-      for (const double s : sample_parameters) {
-        const auto along_u = lagrange(s);
-        Vec3 x = -surface_.position(face_, cell.corner, parameters(cell, s, t));
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          x += along_u[k % 4] * along_v[k / 4] * nodes[k];
-        largest = std::max(largest, x.norm());
-        if (largest > enough) return largest;
-      }
+    for (std::size_t k = 0; k < shape_.samples.size(); ++k) {
+      const Vec3 x = (shape_.sample_weights.row(static_cast<Eigen::Index>(k)) * nodes).transpose();
+      largest = std::max(largest, (x - at(shape_.samples[k])).norm());
+      if (largest > enough) break;
     }
     return largest;
   }
 
-  [[nodiscard]] static Vec2 node(const CurvedCells::Cell& cell, std::size_t k) {
-    // 3 / 3 is 1: nodes at the far border lie exactly on it
-    return parameters(cell, static_cast<double>(k % 4) / 3.0, static_cast<double>(k / 4) / 3.0);
-  }
-
   void append(const CurvedCells::Cell& cell) {
     out_.cells.push_back(cell);
-    for (std::size_t k = 0; k < CurvedCells::nodes_per_cell; ++k) {
-      const SurfacePoint p = surface_.evaluate(face_, cell.corner, node(cell, k));
+    for (const Vec2& node : shape_.nodes) {
+      const SurfacePoint p = surface_.evaluate(face_, cell.corner, parameters(cell, node));
       out_.points.push_back(p.x);
       out_.normals.push_back(p.normal.value_or(Vec3::Constant(nan)));
       out_.mean.push_back(p.curvature ? p.curvature->mean : nan);
@@ -113,6 +107,7 @@ class FaceCells {
   }
 
   const LimitSurface& surface_;
+  const CellShape& shape_;
   FaceId face_;
   double tolerance_;
   CurvedCells& out_;
@@ -123,25 +118,23 @@ void append(std::vector<T>& all, const std::vector<T>& part) {
   all.insert(all.end(), part.begin(), part.end());
 }
 
-/// f at 0, 1/3, 2/3, 1 becomes the Bernstein coefficients of the cubic through it.
 template <class T>
-void cubic_bernstein(T& f0, T& f1, T& f2, T& f3) {
-  const T b1 = (-5.0 * f0 + 18.0 * f1 - 9.0 * f2 + 2.0 * f3) / 6.0;
-  const T b2 = (2.0 * f0 - 9.0 * f1 + 18.0 * f2 - 5.0 * f3) / 6.0;
-  f1 = b1;
-  f2 = b2;
-}
-
-template <class T>
-std::vector<T> cells_to_bernstein(std::span<const T> nodes) {
-  LIMES_ASSERT(nodes.size() % CurvedCells::nodes_per_cell == 0);
-  std::vector<T> c(nodes.begin(), nodes.end());
-  for (std::size_t row = 0; row < c.size(); row += 4)
-    cubic_bernstein(c[row], c[row + 1], c[row + 2], c[row + 3]);
-  for (std::size_t cell = 0; cell < c.size(); cell += CurvedCells::nodes_per_cell)
-    for (std::size_t k = cell; k < cell + 4; ++k)
-      cubic_bernstein(c[k], c[k + 4], c[k + 8], c[k + 12]);
-  return c;
+std::vector<T> cells_to_bernstein(const CellShape& shape, std::span<const T> nodes) {
+  const auto n = static_cast<std::size_t>(shape.num_nodes());
+  LIMES_ASSERT(nodes.size() % n == 0);
+  std::vector<T> coefficients;
+  coefficients.reserve(nodes.size());
+  for (std::size_t cell = 0; cell < nodes.size(); cell += n)
+    for (std::size_t row = 0; row < n; ++row) {
+      const auto weight = [&](std::size_t k) {
+        return shape.to_bernstein(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k));
+      };
+      T sum = weight(0) * nodes[cell];
+      for (std::size_t k = 1; k < n; ++k)
+        sum += weight(k) * nodes[cell + k];
+      coefficients.push_back(sum);
+    }
+  return coefficients;
 }
 
 }  // namespace
@@ -175,11 +168,11 @@ CurvedCells curved_cells(const LimitSurface& surface, std::span<const FaceId> fa
   return all;
 }
 
-std::vector<double> bernstein_coefficients(std::span<const double> nodes) {
-  return cells_to_bernstein(nodes);
+std::vector<double> bernstein_coefficients(const CellShape& shape, std::span<const double> nodes) {
+  return cells_to_bernstein(shape, nodes);
 }
-std::vector<Vec3> bernstein_coefficients(std::span<const Vec3> nodes) {
-  return cells_to_bernstein(nodes);
+std::vector<Vec3> bernstein_coefficients(const CellShape& shape, std::span<const Vec3> nodes) {
+  return cells_to_bernstein(shape, nodes);
 }
 
 }  // namespace limes

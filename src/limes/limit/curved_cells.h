@@ -3,20 +3,21 @@
 #include <span>
 #include <vector>
 
+#include "limes/limit/cell_shape.h"
 #include "limes/limit/limit_surface.h"
 
 namespace limes {
 
-/// A limit surface as polynomial cells of degree 3 in both directions, for files.
+/// A limit surface as polynomial cells (see CellShape), for files: of degree 3 in both directions, or
+/// of degree 4 on triangles.
 ///
-/// Where a face's limit is one bicubic polynomial, its cell is exact. Around extraordinary vertices
-/// and features the face is cut into rings of such tiles, halving towards the vertex, until the
-/// bicubic that interpolates the square that is left deviates little enough. Every cell has points
-/// of its own: neighbours may differ in size, and normals in direction across a crease.
+/// Where a face's limit is one polynomial, its cell is exact. Around extraordinary vertices and
+/// features the face is cut into rings of such tiles, halving towards the vertex, until the
+/// polynomial that interpolates what is left deviates little enough. Every cell has points of its
+/// own: neighbours may differ in size, and normals in direction across a crease.
 struct CurvedCells {
-  static constexpr int nodes_per_cell = 16;
-
-  /// Square of a face's parameters (see LimitBasis) that a cell covers, u along i and v along j.
+  /// Part of a face's parameters (see LimitBasis) that a cell covers: point (s, t) of the shape is
+  /// origin + size (s, t), where triangles that lie upside down have a negative size.
   struct Cell {
     FaceId face;
     int corner;
@@ -27,9 +28,8 @@ struct CurvedCells {
   };
   std::vector<Cell> cells;
 
-  /// Node 4 j + i of a cell is the surface at (i / 3, j / 3) of its square. Numbers that do not
-  /// exist there are NaN: normals where there is no tangent plane, curvatures at extraordinary
-  /// vertices.
+  /// The surface at the nodes of each cell. Numbers that do not exist there are NaN: normals where
+  /// there is no tangent plane, curvatures at extraordinary vertices.
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
   std::vector<double> mean, gauss;
@@ -45,8 +45,10 @@ struct CurvedCells {
                                        double tolerance);
 
 /// Bernstein coefficients of the polynomials that interpolate the nodes of each cell, in the same
-/// order: coefficient 4 j + i. One missing value leaves a cell's coefficients all NaN.
-[[nodiscard]] std::vector<double> bernstein_coefficients(std::span<const double> nodes);
-[[nodiscard]] std::vector<Vec3> bernstein_coefficients(std::span<const Vec3> nodes);
+/// order. One missing value leaves a cell's coefficients all NaN.
+[[nodiscard]] std::vector<double> bernstein_coefficients(const CellShape& shape,
+                                                         std::span<const double> nodes);
+[[nodiscard]] std::vector<Vec3> bernstein_coefficients(const CellShape& shape,
+                                                       std::span<const Vec3> nodes);
 
 }  // namespace limes

@@ -7,57 +7,13 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/limit/sub_face.h"
+#include "limes/math/box_spline.h"
 #include "limes/math/spline.h"
+#include "limes/subdiv/refinement_step.h"
 
 namespace limes {
 namespace {
-
-/// The parameters of a point in a sub-face, and how they depend on those of the face.
-struct LocalPoint {
-  Vec2 uv;
-  Mat2 J = Mat2::Identity();  ///< d(local)/d(face)
-};
-
-/// Turns the frame so that corner c becomes the origin, u towards corner c + 1.
-LocalPoint turned_to(const LocalPoint& p, int c) {
-  const double u = p.uv.x();
-  const double v = p.uv.y();
-  const Eigen::RowVector2d du = p.J.row(0);
-  const Eigen::RowVector2d dv = p.J.row(1);
-  LocalPoint q;
-  switch (c) {
-    case 0:
-      return p;
-    case 1:
-      q.uv = {v, 1.0 - u};
-      q.J << dv, -du;
-      return q;
-    case 2:
-      q.uv = {1.0 - u, 1.0 - v};
-      q.J << -du, -dv;
-      return q;
-    default:
-      q.uv = {1.0 - v, u};
-      q.J << -dv, du;
-      return q;
-  }
-}
-
-/// Quadrant of the unit square that holds a point; borders belong to the higher corner index side
-/// that is farther from corner 0, so that only corner 0 itself stays with child 0 forever.
-int quadrant_of(const Vec2& uv) {
-  const bool right = uv.x() > 0.5;
-  const bool top = uv.y() > 0.5;
-  if (right) return top ? 2 : 1;
-  return top ? 3 : 0;
-}
-
-LocalPoint into_child(const LocalPoint& p, int c) {
-  LocalPoint q = turned_to(p, c);
-  q.uv *= 2.0;
-  q.J *= 2.0;
-  return q;
-}
 
 /// Where the descent from a face to a patch ended.
 struct Descent {
@@ -71,7 +27,8 @@ Descent descend(const RingKinds& kinds, int kind, int face_size, int corner, con
   Descent d;
   d.kind = kind;
   d.local.uv = uv;
-  if (face_size != 4) {  // the first children of an n-gon are its quadrants
+  const Split split = kinds.scheme().split;
+  if (face_size != regular_face_size(kinds.scheme())) {  // an n-gon's children are its quadrants
     d.path.push_back(static_cast<char>(corner));
     d.kind = kinds.refined(kind).children[static_cast<std::size_t>(corner)].kind;
   }
@@ -81,9 +38,9 @@ Descent descend(const RingKinds& kinds, int kind, int face_size, int corner, con
       d.extraordinary = true;
       return d;
     }
-    const int c = quadrant_of(d.local.uv);
+    const int c = child_at(split, d.local.uv);
     d.path.push_back(static_cast<char>(c));
-    d.local = into_child(d.local, c);
+    d.local = into_child(split, d.local, c);
     d.kind = at.children[static_cast<std::size_t>(c)].kind;
   }
   return d;
@@ -103,53 +60,57 @@ VectorX pull_back(const RingKinds& kinds, int kind, const std::string& path, con
   return result;
 }
 
-/// Bicubic weights of the 16 patch points at (s, t), and their derivatives in s and t.
-struct PatchWeights {
-  Eigen::Matrix<double, 1, 16> N, Ns, Nt, Nss, Nst, Ntt;
-};
+/// Weights of the control points of a patch at a point: 16 or 12 rows. Columns: value, d/ds, d/dt,
+/// d2/ds2, d2/dsdt, d2/dt2.
+using PatchWeights = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::ColMajor, 16, 6>;
 
-PatchWeights patch_weights(const Vec2& st, int order) {
+PatchWeights bicubic_weights(const Vec2& st, int order) {
   const CubicBSpline s = cubic_bspline(st.x());
   const CubicBSpline t = cubic_bspline(st.y());
-  PatchWeights w;
+  PatchWeights w(16, 6);
   for (std::size_t j = 0; j < 4; ++j) {
     for (std::size_t i = 0; i < 4; ++i) {
       const auto k = static_cast<Eigen::Index>(4 * j + i);
-      w.N(k) = s.value[i] * t.value[j];
+      w(k, 0) = s.value[i] * t.value[j];
       if (order < 1) continue;
-      w.Ns(k) = s.first[i] * t.value[j];
-      w.Nt(k) = s.value[i] * t.first[j];
+      w(k, 1) = s.first[i] * t.value[j];
+      w(k, 2) = s.value[i] * t.first[j];
       if (order < 2) continue;
-      w.Nss(k) = s.second[i] * t.value[j];
-      w.Nst(k) = s.first[i] * t.first[j];
-      w.Ntt(k) = s.value[i] * t.second[j];
+      w(k, 3) = s.second[i] * t.value[j];
+      w(k, 4) = s.first[i] * t.first[j];
+      w(k, 5) = s.value[i] * t.second[j];
     }
   }
   return w;
 }
 
+PatchWeights patch_weights(LimitPatch patch, const Vec2& st, int order) {
+  if (patch == LimitPatch::box_spline) return box_spline_coefficients() * quartic_bernstein(st);
+  return bicubic_weights(st, order);
+}
+
 /// Derivatives in (u, v) from those in (s, t): the map is affine with Jacobian J.
 void write_basis(const PatchWeights& w, const Tile& tile, const Mat2& J, int order, BasisAt& out) {
-  out.N = (w.N * tile.D).transpose();
+  const auto write = [&](auto&& to, const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 16>& row) {
+    to.noalias() = tile.D.transpose() * row;
+  };
+  out.N.resize(tile.D.cols());
+  write(out.N, w.col(0));
   out.N += tile.limit;
   out.dN.resize(order >= 1 ? tile.D.cols() : 0, 2);
   out.ddN.resize(order >= 2 ? tile.D.cols() : 0, 3);
-  if (order >= 1) {
-    const auto combine = [&](double a, double b) {
-      return Eigen::Matrix<double, 1, 16>(a * w.Ns + b * w.Nt);
-    };
-    out.dN.col(0) = (combine(J(0, 0), J(1, 0)) * tile.D).transpose();
-    out.dN.col(1) = (combine(J(0, 1), J(1, 1)) * tile.D).transpose();
-  }
+  if (order >= 1)
+    for (int a = 0; a < 2; ++a)
+      write(out.dN.col(a), J(0, a) * w.col(1) + J(1, a) * w.col(2));
   if (order >= 2) {
-    const auto combine = [&](int a, int b) {
-      return Eigen::Matrix<double, 1, 16>(J(0, a) * J(0, b) * w.Nss +
-                                          (J(0, a) * J(1, b) + J(1, a) * J(0, b)) * w.Nst +
-                                          J(1, a) * J(1, b) * w.Ntt);
+    const auto second = [&](int to, int a, int b) {
+      write(out.ddN.col(to), J(0, a) * J(0, b) * w.col(3) +
+                                 (J(0, a) * J(1, b) + J(1, a) * J(0, b)) * w.col(4) +
+                                 J(1, a) * J(1, b) * w.col(5));
     };
-    out.ddN.col(0) = (combine(0, 0) * tile.D).transpose();
-    out.ddN.col(1) = (combine(0, 1) * tile.D).transpose();
-    out.ddN.col(2) = (combine(1, 1) * tile.D).transpose();
+    second(0, 0, 0);
+    second(1, 0, 1);
+    second(2, 1, 1);
   }
 }
 
@@ -162,6 +123,7 @@ LimitBasis::LimitBasis(Topology topology, Features features, const Scheme& schem
       kinds_(scheme) {
   if (!has_exact_limit(scheme))
     throw InputError("the limit surface of {} cannot be evaluated exactly", scheme.name);
+  require_faces(topology_, scheme);
   gather_kinds();
 }
 
@@ -213,6 +175,12 @@ std::span<const VertexId> LimitBasis::controls(FaceId f) const {
       static_cast<std::size_t>(first_control_[i + 1] - first_control_[i]));
 }
 
+LimitBasis::FaceCorner LimitBasis::corner(FaceId f, int c) const {
+  if (num_quadrants(f) > 1) return {c, Vec2(0, 0)};
+  const auto i = static_cast<std::size_t>(c);
+  return {0, on_triangles() ? triangle_corners[i] : square_corners[i]};
+}
+
 LimitBasis::Point LimitBasis::evaluate_kind(int kind, int face_size, int corner, const Vec2& uv,
                                             int order, BasisAt& out) const {
   const Descent d = descend(kinds_, kind, face_size, corner, uv);
@@ -222,7 +190,8 @@ LimitBasis::Point LimitBasis::evaluate_kind(int kind, int face_size, int corner,
     out.ddN.resize(0, 3);
     return Point::extraordinary;
   }
-  write_basis(patch_weights(d.local.uv, order), kinds_.tile(kind, d.path), d.local.J, order, out);
+  write_basis(patch_weights(scheme().patch, d.local.uv, order), kinds_.tile(kind, d.path),
+              d.local.J, order, out);
   return Point::ordinary;
 }
 
@@ -236,6 +205,13 @@ std::optional<Eigen::Matrix<double, 2, Eigen::Dynamic>> LimitBasis::tangent_rows
   for (int k = 0; k < 2; ++k)
     rows.row(k) = pull_back(kinds_, kind_[f], d.path, tangents->row(k).transpose()).transpose();
   return rows;
+}
+
+void require_squares(const Scheme& scheme, std::string_view what) {
+  if (scheme.split == Split::triangles)
+    throw InputError(
+        "{} cannot be had with the triangles of {}; with catmull-clark and linear they can", what,
+        scheme.name);
 }
 
 }  // namespace limes

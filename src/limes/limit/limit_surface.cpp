@@ -122,10 +122,9 @@ class CornerWeights {
 
  private:
   [[nodiscard]] VectorX corner_weights(FaceId f, int c) const {
-    const bool quad = basis_.topology().face_size(f) == 4;
+    const auto [quadrant, uv] = basis_.corner(f, c);
     BasisAt at;
-    basis_.evaluate(f, quad ? 0 : c,
-                    quad ? square_corners[static_cast<std::size_t>(c)] : Vec2(0, 0), 0, at);
+    basis_.evaluate(f, quadrant, uv, 0, at);
     return at.N;
   }
 

@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "limes/subdiv/crease.h"
+#include "limes/limit/box_spline_patch.h"
+#include "limes/limit/ring_view.h"
 
 namespace limes {
 namespace {
@@ -45,14 +46,12 @@ std::array<int, 2> turned(int c, int i, int j) {
 class BicubicPatch {
  public:
   explicit BicubicPatch(const Ring& ring)
-      : ring_(ring),
-        adjacency_(ring.topology, Adjacency::Check::edges),
-        sharpness_(adjacency_, ring.features),
-        grid_(PatchGrid::Zero(16, ring.num_controls)) {}
+      : view_(ring), adjacency_(view_.adjacency()), grid_(PatchGrid::Zero(16, ring.num_controls)) {}
 
   std::optional<PatchGrid> build() {
-    for (int f = 0; f < ring_.topology.num_faces(); ++f)
-      if (ring_.topology.face_size(FaceId(f)) != 4) return {};
+    const Topology& topology = view_.ring().topology;
+    for (int f = 0; f < topology.num_faces(); ++f)
+      if (topology.face_size(FaceId(f)) != 4) return {};
     for (int c = 0; c < 4; ++c)
       if (!add_corner(c)) return {};
     add_phantoms();
@@ -60,11 +59,8 @@ class BicubicPatch {
   }
 
  private:
-  [[nodiscard]] HalfedgeId side(int c) const { return ring_.topology.halfedge(FaceId(0), c % 4); }
-  [[nodiscard]] float edge_sharpness(HalfedgeId h) const {
-    return sharpness_.edge(adjacency_.edge(h));
-  }
-  [[nodiscard]] bool sharp_side(int c) const { return is_infinite(edge_sharpness(side(c))); }
+  [[nodiscard]] HalfedgeId side(int c) const { return view_.side(c); }
+  [[nodiscard]] bool sharp_side(int c) const { return view_.is_infinitely_sharp(side(c)); }
 
   void set(int c, int i, int j, VertexId v) {
     const auto [a, b] = turned(c, i, j);
@@ -72,34 +68,12 @@ class BicubicPatch {
     grid_(row_of(a, b), v.value) = 1.0;
   }
 
-  /// Numbers of sharp and of infinitely sharp edges at a corner.
-  struct SharpCount {
-    int sharp = 0, infinite = 0;
-  };
-  [[nodiscard]] SharpCount count_sharp(VertexId v) const {
-    SharpCount count;
-    const auto add = [&](HalfedgeId h) {
-      const float s = edge_sharpness(h);
-      count.sharp += is_sharp(s);
-      count.infinite += is_infinite(s);
-    };
-    const HalfedgeId start = adjacency_.ring_start(v);
-    for (HalfedgeId h = start; h.valid();) {
-      add(h);
-      const HalfedgeId next = adjacency_.ring_next(h);
-      if (!next.valid()) add(adjacency_.prev(h));
-      if (next == start) break;
-      h = next;
-    }
-    return count;
-  }
-
   /// Writes corner c and the points beyond it; false if the limit there is not one polynomial.
   bool add_corner(int c) {
     const HalfedgeId out = side(c);
     const VertexId v = adjacency_.from(out);
-    const float vertex_sharpness = sharpness_.vertex(v);
-    const SharpCount count = count_sharp(v);
+    const float vertex_sharpness = view_.sharpness().vertex(v);
+    const RingView::SharpCount count = view_.count_sharp(v);
     set(c, 1, 1, v);
     if (count.sharp == 0) return !is_sharp(vertex_sharpness) && add_interior(c, out);
     const bool next_sharp = sharp_side(c);      // the side along u
@@ -127,7 +101,7 @@ class BicubicPatch {
     const HalfedgeId left = adjacency_.ring_next(side(c));
     if (!left.valid()) return false;
     const HalfedgeId in = adjacency_.prev(left);
-    if (!is_infinite(edge_sharpness(in))) return false;
+    if (!view_.is_infinitely_sharp(in)) return false;
     set(c, 0, 1, adjacency_.from(in));
     set(c, 0, 2, adjacency_.from(adjacency_.prev(in)));
     return true;
@@ -138,7 +112,7 @@ class BicubicPatch {
     const HalfedgeId twin = adjacency_.twin(side(c));
     if (!twin.valid()) return false;
     const HalfedgeId out = adjacency_.next(twin);
-    if (!is_infinite(edge_sharpness(out))) return false;
+    if (!view_.is_infinitely_sharp(out)) return false;
     set(c, 1, 0, adjacency_.to(out));
     set(c, 2, 0, adjacency_.to(adjacency_.next(out)));
     return true;
@@ -164,16 +138,17 @@ class BicubicPatch {
     grid_.row(row(0)) = 2.0 * grid_.row(row(1)) - grid_.row(row(2));
   }
 
-  const Ring& ring_;
-  Adjacency adjacency_;
-  Sharpness sharpness_;
+  RingView view_;
+  const Adjacency& adjacency_;
   PatchGrid grid_;
 };
 
 }  // namespace
 
 std::optional<PatchGrid> regular_patch(const Ring& ring, LimitPatch patch) {
-  if (patch == LimitPatch::none || ring.topology.face_size(FaceId(0)) != 4) return {};
+  if (patch == LimitPatch::none) return {};
+  if (patch == LimitPatch::box_spline) return box_spline_patch(ring);
+  if (ring.topology.face_size(FaceId(0)) != 4) return {};
   if (patch == LimitPatch::bilinear) return bilinear_patch(ring);
   return BicubicPatch(ring).build();
 }

@@ -32,7 +32,7 @@ class ChildRows {
 /// Left eigenvector of A for the eigenvalue 1, from row `start` of A^k as k grows.
 VectorX limit_row(const SparseMatrix& A, int start) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(A.cols(), start);
-  // The second eigenvalue is below 0.66 for every valence.
+  // The second eigenvalue is below 0.66 for every valence and scheme.
   for (int k = 0; k < 400; ++k) {
     const Eigen::RowVectorXd next = row * A;
     const double change = (next - row).cwiseAbs().maxCoeff();
@@ -44,7 +44,7 @@ VectorX limit_row(const SparseMatrix& A, int start) {
 
 /// Takes the limit position out of every row: D - (D 1) limit^T.
 void deflate(PatchGrid& D, const VectorX& limit) {
-  const Eigen::Matrix<double, 16, 1> sums = D.rowwise().sum();
+  const VectorX sums = D.rowwise().sum();
   D.noalias() -= sums * limit.transpose();
 }
 
@@ -88,10 +88,10 @@ RefinedKind RingKinds::build_refined(int index) const {
   const Adjacency child_adjacency(child_topology, Adjacency::Check::edges);
   const Sharpness child_sharpness(child_adjacency, child_features);
   ChildRows rows(adjacency, step);
-  const int num_children = kind.ring.topology.face_size(FaceId(0));
-  for (int i = 0; i < num_children; ++i) {
-    const FaceId child = quadrisection_child(kind.ring.topology.halfedge(FaceId(0), i));
-    Ring ring = gather_ring(child_adjacency, child_features, child_sharpness, *scheme_, child);
+  const FaceRange children = descendants(kind.ring.topology, FaceId(0), scheme_->split, 1);
+  for (std::int64_t child = children.begin; child < children.end; ++child) {
+    Ring ring =
+        gather_ring(child_adjacency, child_features, child_sharpness, *scheme_, FaceId(child));
     std::vector<Triplet> entries;
     for (int row = 0; row < ring.num_controls; ++row)
       rows.append(row, ring.vertices[static_cast<std::size_t>(row)], entries);
@@ -102,7 +102,7 @@ RefinedKind RingKinds::build_refined(int index) const {
   refined.self_similar = refined.children[0].kind == index;
   if (refined.self_similar) {
     refined.limit = limit_row(refined.children[0].A, 0);
-    refined.tangents = corner_tangents(kind.ring, refined.children[0].A);
+    refined.tangents = corner_tangents(kind.ring, scheme_->patch, refined.children[0].A);
   }
   return refined;
 }
@@ -124,7 +124,7 @@ Tile RingKinds::make_tile(int index, const std::string& path) const {
   const RingKind& kind = (*this)[index];
   if (path.empty()) {
     LIMES_ASSERT(kind.patch.has_value());
-    Tile tile{*kind.patch, kind.patch->row(5).transpose()};
+    Tile tile{*kind.patch, kind.patch->row(corner_row(scheme_->patch)).transpose()};
     tile.D.rowwise() -= tile.limit.transpose();
     return tile;
   }

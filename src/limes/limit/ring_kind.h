@@ -25,7 +25,8 @@ struct RingKind {
 /// A kind without a patch after one step of the scheme.
 struct RefinedKind {
   /// Child i (at corner i, its own corner 0 there) is of the kind children[i].kind, and its
-  /// controls are A times ours.
+  /// controls are A times ours. A triangle's last child is the one in the middle, whose corner 0 is
+  /// the middle of side 0.
   struct Child {
     int kind;
     SparseMatrix A;  ///< (num_controls of the child's kind, num_controls)
@@ -40,7 +41,7 @@ struct RefinedKind {
   std::optional<Eigen::Matrix<double, 2, Eigen::Dynamic>> tangents;
 };
 
-/// B-spline control points of a sub-face reached by a path of children, as functions of the ring's
+/// Control points of the patch of a sub-face reached by a path of children, as functions of the ring's
 /// controls: point k = D.row(k) + limit, where rows of D sum to zero. limit is the limit position of
 /// the extraordinary vertex on the path, or the first control point of the sub-face. Kept apart
 /// because D shrinks with the path's length while limit does not: derivatives need the small part

@@ -70,6 +70,7 @@ void multiply(const SparseMatrix& A, const Controls& x, Controls& out) {
 SurfaceSquares::SurfaceSquares(const LimitBasis& basis, std::span<const Vec3> points)
     : basis_(&basis), points_(points) {
   LIMES_ASSERT(static_cast<int>(points.size()) == basis.topology().num_vertices());
+  require_squares(basis.scheme(), "closest points and rays");
   const std::vector<int> kinds = gather_kinds();
   const auto size = static_cast<std::size_t>(kinds.back()) + 1;
   bernstein_.resize(size);

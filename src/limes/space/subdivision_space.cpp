@@ -23,6 +23,7 @@ std::vector<bool> hole_faces(const Mesh& mesh) {
 SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule boundary,
                                    std::vector<int> regions, const SpaceOptions& options)
     : mesh_(std::move(mesh)), quadrature_(options.quadrature), regions_(std::move(regions)) {
+  require_squares(scheme, "finite elements");
   const Adjacency adjacency(mesh_.topology);
   const Features features = resolve_tags(adjacency, mesh_.tags, boundary);
   const bool ghosts = options.ghosts && scheme.reach > 0;  // no use for functions without reach

@@ -11,7 +11,6 @@
 #include "limes/subdiv/surroundings.h"
 
 namespace limes {
-namespace {
 
 void require_faces(const Topology& topology, const Scheme& scheme) {
   if (scheme.faces == FaceKind::polygons) return;
@@ -21,6 +20,8 @@ void require_faces(const Topology& topology, const Scheme& scheme) {
       throw InputError("face {} has {} corners; {} takes faces with {} only", f,
                        topology.face_size(FaceId(f)), scheme.name, wanted);
 }
+
+namespace {
 
 void require_no_creases(const Adjacency& adjacency, const Features& features,
                         const Scheme& scheme) {

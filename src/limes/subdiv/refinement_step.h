@@ -11,6 +11,9 @@
 
 namespace limes {
 
+/// @throws InputError if the scheme does not fit the faces, naming the first that does not
+void require_faces(const Topology& topology, const Scheme& scheme);
+
 /// One step of a scheme on one mesh. The weights go straight to values (apply) or into a matrix,
 /// from the same rules. Keeps references to all three arguments.
 class RefinementStep {

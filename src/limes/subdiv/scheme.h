@@ -31,7 +31,7 @@ enum class LimitPatch {
   none,       ///< not polynomial
   bilinear,   ///< of the face's own corners
   bicubic,    ///< uniform cubic B-spline of the 16 control points around the face
-  box_spline  ///< quartic box spline of the 12 control points around a triangle; not evaluated yet
+  box_spline  ///< quartic box spline of the 12 control points around a triangle
 };
 
 /// What a scheme does at the boundary of a surface.
@@ -69,7 +69,12 @@ struct Scheme {
 
 /// Whether LimitBasis evaluates the limits of a scheme.
 [[nodiscard]] inline bool has_exact_limit(const Scheme& scheme) {
-  return scheme.patch == LimitPatch::bilinear || scheme.patch == LimitPatch::bicubic;
+  return scheme.patch != LimitPatch::none;
+}
+
+/// Corners of the faces that the split makes, and of faces whose limit can be one patch.
+[[nodiscard]] inline int regular_face_size(const Scheme& scheme) {
+  return scheme.split == Split::triangles ? 3 : 4;
 }
 
 }  // namespace limes
