@@ -123,17 +123,36 @@ std::vector<std::vector<FaceId>> sectors_of(const Surface& s) {
   return sectors;
 }
 
-/// Whether the modes of the tangent plane belong to a Jordan block of the ring's refinement. Then
-/// normals come near like 1/level only, and beyond level 40 rounding takes over.
-bool has_jordan_block(const Surface& s, FaceId f) {
+/// The smooth piece around vertex 0 that holds a face.
+struct Piece {
+  std::size_t num_faces;
+  bool whole;   ///< no sharp edge
+  bool corner;  ///< else: at a corner, not beside a crease
+};
+Piece piece_of(const Surface& s, FaceId f) {
   const auto sectors = sectors_of(s);
   const auto own = std::find_if(sectors.begin(), sectors.end(), [&](const auto& sector) {
     return std::find(sector.begin(), sector.end(), f) != sector.end();
   });
-  if (sectors.size() == 1 && !s.basis.adjacency().is_boundary(VertexId(0))) return false;
-  const bool corner = sectors.size() > 2 || !s.basis.features().vertices.empty();
-  if (s.basis.on_triangles()) return own->size() == (corner ? 3 : 6);
-  return corner ? own->size() == 2 : own->size() == 1 || own->size() == 4;
+  return {own->size(), sectors.size() == 1 && !s.basis.adjacency().is_boundary(VertexId(0)),
+          sectors.size() > 2 || !s.basis.features().vertices.empty()};
+}
+
+/// Whether the modes of the tangent plane belong to a Jordan block of the ring's refinement. Then
+/// normals come near like 1/level only, and beyond level 40 rounding takes over.
+bool has_jordan_block(const Surface& s, FaceId f) {
+  const Piece own = piece_of(s, f);
+  if (own.whole) return false;
+  if (s.basis.on_triangles()) return own.num_faces == (own.corner ? 3U : 6U);
+  return own.corner ? own.num_faces == 2 : own.num_faces == 1 || own.num_faces == 4;
+}
+
+/// How close to the vertex derivatives still tell the normal. Beside a crease with two triangles the
+/// part across fades like (3/4)^level, into rounding.
+double closest(const Surface& s, FaceId f) {
+  const Piece own = piece_of(s, f);
+  const bool fades = s.basis.on_triangles() && !own.whole && own.num_faces == 2;
+  return std::ldexp(1, fades ? -60 : -150);
 }
 
 class NormalsOf : public testing::TestWithParam<Shape> {};
@@ -153,7 +172,7 @@ TEST_P(NormalsOf, AreLimitsOfNormalsNearby) {
       exists = at.normal.has_value();
       // Where xu and xv become parallel at the vertex (smooth corners of one face, some mixtures of
       // sharpness), rounding loses the normal within 2^-40 of it; 2^-25 away it must be there.
-      const auto nearest = find_normals(s, f, std::ldexp(1, -150));
+      const auto nearest = find_normals(s, f, closest(s, f));
       const std::vector<Vec3> near = nearest ? *nearest : normals_nearby(s, f, std::ldexp(1, -25));
       all.insert(all.end(), near.begin(), near.end());
       if (!exists) continue;
@@ -161,7 +180,7 @@ TEST_P(NormalsOf, AreLimitsOfNormalsNearby) {
         const double far = largest_distance(normals_nearby(s, f, std::ldexp(1, -10)), *at.normal);
         const double close = largest_distance(normals_nearby(s, f, std::ldexp(1, -30)), *at.normal);
         EXPECT_LE(close, std::max(0.6 * far, 0.005));
-        EXPECT_LE(close, 0.15);
+        EXPECT_LE(close, s.basis.on_triangles() ? 0.25 : 0.15);
       } else {
         EXPECT_LE(largest_distance(near, *at.normal), 1e-3);
       }
