@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -268,8 +269,10 @@ TEST(LoopLimit, SameBytesForAnyNumberOfThreads) {
 
 TEST(LoopSchemes, HasABoxSplineLimit) {
   const Json json = Json::parse(run_limes({"schemes", "--json"}).out);
-  for (const Json& scheme : json["schemes"])
-    if (scheme["name"] == "loop") EXPECT_EQ(scheme["limit"], "box spline");
+  const auto found = std::find_if(json["schemes"].begin(), json["schemes"].end(),
+                                  [](const Json& scheme) { return scheme["name"] == "loop"; });
+  ASSERT_NE(found, json["schemes"].end());
+  EXPECT_EQ((*found)["limit"], "box spline");
 }
 
 }  // namespace
