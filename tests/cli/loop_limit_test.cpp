@@ -123,8 +123,9 @@ TEST(LoopEvaluate, SearchesAndElementsSayTheyNeedSquares) {
   expect_failure(run_limes({"evaluate", mesh, "--closest", points, "-o", folder / "o.csv",
                             "--scheme", "loop"}),
                  3, "closest points and rays cannot be had with the triangles of loop");
+  (void)folder.file("plane.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const std::string problem = folder.file("p.toml", R"([mesh]
-file = "t.obj"
+file = "plane.obj"
 scheme = "loop"
 [material]
 young = 1.0
@@ -210,11 +211,11 @@ TEST_P(LoopCells, StayWithinTheReportedDeviation) {
   const std::string file = folder / "o.vtu";
   const std::string obj = folder.file("o.obj", octahedron);
   const Result result = run_limes({"limit", obj, "-o", file, "--scheme", "loop", "--cells",
-                                   GetParam(), "--tolerance", "1e-4", "--json"});
+                                   GetParam(), "--tolerance", "1e-3", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json json = Json::parse(result.out);
   const double deviation = json["deviation"];
-  EXPECT_LE(deviation, 1e-4 * std::sqrt(12.0));
+  EXPECT_LE(deviation, 1e-3 * std::sqrt(12.0));
   const VtuArrays vtu = read_vtu_arrays(file);
   const std::size_t num_cells = vtu.at("types").size();
   EXPECT_EQ(json["cells"], num_cells);
@@ -227,7 +228,7 @@ TEST_P(LoopCells, StayWithinTheReportedDeviation) {
     EXPECT_EQ(vtu.at("types")[cell], std::string(GetParam()) == "bezier" ? 76 : 69);
     const FaceId face(static_cast<std::int64_t>(vtu.at("face")[cell]));
     bool found = false;
-    for (double size = 1; size > 1e-3 && !found; size /= 2)
+    for (double size = 1; size > 1e-2 && !found; size /= 2)
       for (double a = 0; a <= 1 && !found; a += size)
         for (double b = 0; a + b <= 1 && !found; b += size)
           for (const double way : {size, -size}) {
