@@ -21,14 +21,15 @@ struct CoarsenCommand {
   std::filesystem::path output;
   RunOptions run;
   std::string tolerance = "1e-6";
+  SchemeOptions scheme;
 
   void operator()() const;
 };
 
-CoarsenResult coarsened(const Mesh& mesh, double tolerance, const std::string& file) {
+CoarsenResult coarsened(const Mesh& mesh, const CoarsenOptions& options, const std::string& file) {
   const Progress progress(fmt::format("coarsening {}", file));
   try {
-    return coarsen_catmull_clark(mesh, {.tolerance = tolerance});
+    return coarsen(mesh, options);
   } catch (const InputError& error) {
     throw InputError("{}: {}", file, error.what());
   }
@@ -37,9 +38,13 @@ CoarsenResult coarsened(const Mesh& mesh, double tolerance, const std::string& f
 void CoarsenCommand::operator()() const {
   const Run current(run);
   const double relative = parse_positive("--tolerance", tolerance);
+  const SchemeChoice choice = choose_scheme(scheme);
   check_mesh_output(output, run);
   const std::string file = mesh.file.string();
-  const CoarsenResult result = coarsened(load_refinable_mesh(mesh), relative, file);
+  const Mesh fine = load_refinable_mesh(mesh);
+  const CoarsenOptions options{
+      .scheme = choice.scheme->name, .refine = choice.options_for(fine, 1), .tolerance = relative};
+  const CoarsenResult result = coarsened(fine, options, file);
   for (const std::string& sentence : result.remarks)
     remark(fmt::format("{}: {}", file, sentence));
   check_interrupt();
@@ -62,9 +67,14 @@ void CoarsenCommand::operator()() const {
 
 void add_coarsen(CLI::App& program) {
   const auto command = std::make_shared<CoarsenCommand>();
-  CLI::App& app = *program.add_subcommand("coarsen", "Undo one step of Catmull-Clark");
+  command->scheme.scheme = "catmull-clark";
+  CLI::App& app = *program.add_subcommand("coarsen", "Undo one step of Catmull-Clark or kobbelt");
   add_output_option(app, command->output, "Mesh to write: .obj, .off, .ply, .stl or .vtu");
   add_mesh_options(app, command->mesh);
+  app.add_option("--scheme", command->scheme.scheme, "Scheme of the step [catmull-clark]")
+      ->option_text("NAME")
+      ->group(scheme_group);
+  add_tension_options(app, command->scheme);
   app.add_option("--tolerance", command->tolerance,
                  "Largest distance from a refined mesh, as part of the\ndiagonal [1e-6]")
       ->option_text("T")

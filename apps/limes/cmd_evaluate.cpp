@@ -16,6 +16,7 @@
 #include "limes/core/text.h"
 #include "limes/io/lines.h"
 #include "limes/limit/bulk_evaluator.h"
+#include "limes/limit/interpolatory_surface.h"
 #include "memory.h"
 #include "mesh_surface.h"
 #include "run.h"
@@ -33,6 +34,7 @@ struct EvaluateCommand {
   RunOptions run;
 
   void operator()() const;
+  void report(nlohmann::ordered_json counts, const Run& current) const;
 };
 
 constexpr std::string_view head =
@@ -97,34 +99,30 @@ void append_rows(const LimitSurface& surface, std::span<const SurfaceLocation> p
 
 /// Evaluates piece by piece, so that memory does not grow with the number of points; several
 /// threads write the lines of a piece.
-/// @param bulk  null where the scheme has none
-void write_table(const LimitSurface& surface, const BulkEvaluator* bulk,
-                 std::span<const SamplePoint> points, const std::filesystem::path& output) {
+/// @param prepare  of a piece: what append needs
+/// @param append   (piece, first, last, text): the lines of points [first, last) of the piece
+template <class Prepare, class Append>
+void write_table(std::span<const SamplePoint> points, const std::filesystem::path& output,
+                 const Prepare& prepare, const Append& append) {
   constexpr std::size_t piece = 1 << 14;
   constexpr std::size_t rows = 1 << 9;  // of one text
   AtomicFile file(output);
   file.write(head);
   Progress progress("evaluating", static_cast<std::int64_t>(points.size()));
   std::vector<SurfaceLocation> part;
-  SurfaceValues values;
   std::vector<fmt::memory_buffer> texts(piece / rows);
   for (std::size_t begin = 0; begin < points.size(); begin += piece) {
     check_interrupt();
     part.clear();
     for (const SamplePoint& p : points.subspan(begin, std::min(piece, points.size() - begin)))
       part.push_back({p.face, p.corner, p.uv});
-    if (bulk) bulk->evaluate(part, 2, values);
+    prepare(part);
     const std::size_t num_texts = (part.size() + rows - 1) / rows;
     for_each_block(
         static_cast<std::int64_t>(num_texts), 1, [&](std::int64_t first, std::int64_t last) {
           for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t) {
             texts[t].clear();
-            const std::size_t from = t * rows;
-            const std::size_t to = std::min(part.size(), from + rows);
-            if (bulk)
-              append_rows(surface, part, values, from, to, texts[t]);
-            else
-              append_rows(surface, std::span(part).subspan(from, to - from), texts[t]);
+            append(part, t * rows, std::min(part.size(), (t + 1) * rows), texts[t]);
           }
         });
     for (std::size_t t = 0; t < num_texts; ++t)
@@ -138,7 +136,7 @@ void write_table(const LimitSurface& surface, const BulkEvaluator* bulk,
 nlohmann::ordered_json write_values(const MeshSurface& surface, const std::filesystem::path& points,
                                     const std::filesystem::path& output) {
   const LimitBasis& basis = surface.surface().basis();
-  const auto samples = read_sample_points(points, basis);
+  const auto samples = read_sample_points(points, basis.topology(), basis.scheme());
   for (const SamplePoint& p : samples)
     if (!surface.has_surface(p.face))
       throw error_at(points.string(), p.line,
@@ -146,7 +144,38 @@ nlohmann::ordered_json write_values(const MeshSurface& surface, const std::files
                      p.face.value);
   std::optional<BulkEvaluator> bulk;
   if (!basis.on_triangles()) bulk.emplace(basis, surface.mesh().points.span());
-  write_table(surface.surface(), bulk ? &*bulk : nullptr, samples, output);
+  SurfaceValues values;
+  write_table(
+      samples, output,
+      [&](std::span<const SurfaceLocation> part) {
+        if (bulk) bulk->evaluate(part, 2, values);
+      },
+      [&](std::span<const SurfaceLocation> part, std::size_t first, std::size_t last,
+          fmt::memory_buffer& out) {
+        if (bulk)
+          append_rows(surface.surface(), part, values, first, last, out);
+        else
+          append_rows(surface.surface(), part.subspan(first, last - first), out);
+      });
+  return {{"points", samples.size()}};
+}
+
+/// The same for a scheme whose limit is no polynomial, point by point.
+nlohmann::ordered_json write_interpolatory_values(const Mesh& mesh, const SchemeChoice& choice,
+                                                  const std::filesystem::path& points,
+                                                  const std::filesystem::path& output) {
+  const auto samples = read_sample_points(points, mesh.topology, *choice.scheme);
+  const Adjacency adjacency(mesh.topology);
+  const Features features =
+      control_features(adjacency, mesh, *choice.scheme, choice.options_for(mesh, 0));
+  const InterpolatorySurface surface(adjacency, features, *choice.scheme, mesh.points.span());
+  write_table(
+      samples, output, [](std::span<const SurfaceLocation>) {},
+      [&](std::span<const SurfaceLocation> part, std::size_t first, std::size_t last,
+          fmt::memory_buffer& out) {
+        for (std::size_t i = first; i < last; ++i)
+          append_row(surface.evaluate(part[i].face, part[i].uv), out);
+      });
   return {{"points", samples.size()}};
 }
 
@@ -164,14 +193,26 @@ void EvaluateCommand::operator()() const {
   const SchemeChoice choice = choose_scheme(scheme);
   require_limit(choice);
   check_output(output, run);
-  const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
   nlohmann::ordered_json counts;
+  if (has_tension(*choice.scheme)) {
+    if (at.empty())
+      throw UsageError("--closest and --ray need a polynomial limit, which {} does not have",
+                       choice.scheme->name);
+    counts = write_interpolatory_values(load_refinable_mesh(mesh), choice, at, output);
+    report(counts, current);
+    return;
+  }
+  const MeshSurface surface(load_refinable_mesh(mesh), choice, mesh.file.string());
   if (!at.empty())
     counts = write_values(surface, at, output);
   else if (!closest.empty())
     counts = {{"points", write_closest_points(surface, closest, output)}};
   else
     counts = write_hits(surface, rays, output);
+  report(counts, current);
+}
+
+void EvaluateCommand::report(nlohmann::ordered_json counts, const Run& current) const {
   if (run.json) {
     counts["seconds"] = current.seconds();
     counts["peak_memory"] = peak_memory();

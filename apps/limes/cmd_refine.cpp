@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
+#include "limes/limit/star_masks.h"
 #include "limes/subdiv/refine.h"
 #include "limit_mesh.h"
 #include "memory.h"
@@ -56,6 +58,27 @@ Mesh refine_by_scheme(const Mesh& coarse, const SchemeChoice& choice, const Refi
   return std::move(made.mesh);
 }
 
+/// Says where the surface has no tangent plane with this tension.
+void remark_on_surface(const Mesh& mesh, const SchemeChoice& choice, const std::string& file) {
+  if (!has_tension(*choice.scheme)) return;
+  const Adjacency adjacency(mesh.topology);
+  const Features features =
+      control_features(adjacency, mesh, *choice.scheme, choice.options_for(mesh, 0));
+  IdArray<VertexId, char> on_crease(static_cast<std::size_t>(mesh.topology.num_vertices()), 0);
+  for (const SharpEdge& e : features.edges)
+    on_crease[adjacency.from(e.halfedge)] = on_crease[adjacency.to(e.halfedge)] = 1;
+  std::map<int, std::size_t> count;  // of smooth inner vertices by valence
+  for (int i = 0; i < mesh.topology.num_vertices(); ++i)
+    if (const VertexId v(i);
+        adjacency.ring_start(v).valid() && !adjacency.is_boundary(v) && on_crease[v] == 0)
+      ++count[adjacency.valence(v)];
+  for (const auto& [valence, vertices] : count)
+    if (!star_tangents(*choice.scheme, features, valence))
+      remark(fmt::format(
+          "{}: with tension {} the surface is not smooth (C1) at the {} with {} edges", file,
+          choice.tension, counted(vertices, "inner vertex", "inner vertices"), valence));
+}
+
 void RefineCommand::operator()() const {
   const Run current(run);
   const SchemeChoice choice = choose_scheme(scheme);
@@ -69,13 +92,12 @@ void RefineCommand::operator()() const {
                     .vtu = to_lower(output.extension().string()) == ".vtu",
                     .steps_per_level = choice.quasi.split == QuasiSplit::normal ? 2 : 1},
                    current.memory_limit(), mesh.file.string());
+  naming_file(mesh.file, [&] { remark_on_surface(coarse, choice, mesh.file.string()); });
   Mesh fine;
   std::vector<std::string> remarks;
   {
     const Progress progress(fmt::format("refining {}", mesh.file.string()));
-    const RefineOptions options{.levels = num_levels,
-                                .boundary = choice.boundary_for(coarse),
-                                .sector_stencils = choice.sector_stencils};
+    const RefineOptions options = choice.options_for(coarse, num_levels);
     if (limit)
       fine = naming_file(mesh.file, [&] { return limit_mesh(coarse, *choice.scheme, options); });
     else if (num_levels > 0)

@@ -14,6 +14,7 @@ namespace limes::app {
   X(limit)                \
   X(evaluate)             \
   X(solve)                \
+  X(study)                \
   X(schemes)              \
   X(formats)
 

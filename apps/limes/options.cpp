@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -75,10 +76,26 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
                   "  normal             all edges, on a regular 4-8 mesh: two steps a level")
       ->option_text("RULE")
       ->group(scheme_group);
-  // Hidden as long as no scheme has them; known, so that the message can say so.
-  command.add_option("--tension", options.tension)->group("");
-  command.add_option("--corners", options.corners)->group("");
+  add_tension_options(command, options);
+  // Hidden as long as no scheme has it; known, so that the message can say so.
   command.add_option("--ring-pull", options.ring_pull)->group("");
+}
+
+void add_tension_options(CLI::App& command, SchemeOptions& options) {
+  command
+      .add_option("--tension", options.tension,
+                  "kobbelt: 16 omega, from 0 to 2 (sqrt 5 - 1) [1]\n"
+                  "0 is bilinear, 1 reproduces cubics")
+      ->option_text("W")
+      ->group(scheme_group);
+  command
+      .add_option("--corners", options.corners,
+                  "kobbelt: where boundaries and creases break [auto]\n"
+                  "  auto  where they turn by more than 30 degrees\n"
+                  "  none  only at corner tags and where three curves meet\n"
+                  "  all   at vertices with one face")
+      ->option_text("RULE")
+      ->group(scheme_group);
 }
 
 namespace {
@@ -93,13 +110,29 @@ bool has_boundary_rules(const Scheme& scheme) {
 std::vector<std::string> options_of(const Scheme& scheme) {
   if (has_boundary_rules(scheme)) return {"--boundary"};
   if (scheme.boundary == Boundary::quasi) return {"--boundary", "--tags", "--split"};
+  if (has_tension(scheme)) return {"--tension", "--corners"};
   return {};
+}
+
+bool has_tension(const Scheme& scheme) {
+  return scheme.boundary == Boundary::open_net;
 }
 
 BoundaryRule SchemeChoice::boundary_for(const Mesh& mesh) const {
   if (!has_boundary_rules(*scheme)) return BoundaryRule::edges;
   if (boundary) return *boundary;
   return mesh.tags.boundary.value_or(BoundaryRule::edges);
+}
+
+RefineOptions SchemeChoice::options_for(const Mesh& mesh, int levels) const {
+  RefineOptions options;
+  options.levels = levels;
+  options.boundary = boundary_for(mesh);
+  options.sector_stencils = sector_stencils;
+  options.quasi = quasi;
+  options.corners = corners;
+  options.tension = tension;
+  return options;
 }
 
 namespace {
@@ -155,6 +188,23 @@ QuasiOptions parse_quasi(const SchemeOptions& typed) {
   return quasi;
 }
 
+CornerRule parse_corners(const std::string& name) {
+  if (name == "auto") return CornerRule::by_angle;
+  if (name == "none") return CornerRule::none;
+  if (name == "all") return CornerRule::all;
+  throw UsageError("--corners: there is no rule {}; known are auto, none, all", quote(name));
+}
+
+/// Up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
+double parse_tension(const std::string& text) {
+  const double most = 2.0 * (std::sqrt(5.0) - 1.0);
+  const auto number = parse_real(text);
+  if (!number || !(*number >= 0.0 && *number <= most))
+    throw UsageError("--tension: {} is no number from 0 to {:.6g}, 2 (sqrt 5 - 1)", quote(text),
+                     most);
+  return *number;
+}
+
 }  // namespace
 
 SchemeChoice choose_scheme(const SchemeOptions& options) {
@@ -175,6 +225,8 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
     choice.boundary = BoundaryRule::edges_and_corners;
   else if (!options.boundary.empty())
     choice.boundary = parse_boundary(options.boundary);
+  if (!options.corners.empty()) choice.corners = parse_corners(options.corners);
+  if (!options.tension.empty()) choice.tension = parse_tension(options.tension);
   return choice;
 }
 

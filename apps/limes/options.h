@@ -10,7 +10,7 @@
 
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/quasi_four_eight.h"
-#include "limes/subdiv/scheme.h"
+#include "limes/subdiv/refine.h"
 
 namespace limes::app {
 
@@ -48,18 +48,25 @@ struct SchemeOptions {
 };
 void add_scheme_options(CLI::App& command, SchemeOptions& options);
 
-/// A scheme and the boundary rule it is used with.
+/// Those of an interpolatory scheme only.
+void add_tension_options(CLI::App& command, SchemeOptions& options);
+
+/// A scheme and the options it is used with.
 struct SchemeChoice {
   const Scheme* scheme;
   std::optional<BoundaryRule> boundary;  ///< the user's; the file's comes second
   bool sector_stencils = false;          ///< --boundary biermann; for refinement only
   QuasiOptions quasi = {};               ///< of quasi-four-eight
+  CornerRule corners = CornerRule::by_angle;
+  double tension = 1.0;
 
   /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
   [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;
+  [[nodiscard]] RefineOptions options_for(const Mesh& mesh, int levels) const;
 };
 
-/// @throws UsageError for unknown names and for options that the scheme does not have
+/// @throws UsageError for unknown names, for options that the scheme does not have and for values that
+///         they do not take
 [[nodiscard]] SchemeChoice choose_scheme(const SchemeOptions& options);
 
 /// @throws UsageError for what refines but has no limit that can be evaluated
@@ -67,6 +74,8 @@ void require_limit(const SchemeChoice& choice);
 
 /// The options that a scheme has, as they are typed.
 [[nodiscard]] std::vector<std::string> options_of(const Scheme& scheme);
+/// Whether the scheme has a tension and corner rules.
+[[nodiscard]] bool has_tension(const Scheme& scheme);
 
 /// A decimal whole number, at least `least`.
 /// @throws UsageError that names the option

@@ -18,24 +18,27 @@ constexpr std::array<std::string_view, 4> column_names{"face", "corner", "u", "v
 /// Turns rows of numbers into points of a mesh's faces.
 class PointChecker {
  public:
-  PointChecker(std::string file, const LimitBasis& basis) : file_(std::move(file)), basis_(basis) {}
+  PointChecker(std::string file, const Topology& topology, const Scheme& scheme)
+      : file_(std::move(file)), topology_(topology), scheme_(scheme) {}
 
   [[nodiscard]] SamplePoint point(std::int64_t line, std::span<const double> row) const {
     SamplePoint point{
-        FaceId(whole(line, row, 0, basis_.topology().num_faces())), 0, {row[2], row[3]}, line};
-    point.corner = whole(line, row, 1, basis_.num_quadrants(point.face));
+        FaceId(whole(line, row, 0, topology_.num_faces())), 0, {row[2], row[3]}, line};
+    const int n = topology_.face_size(point.face);
+    point.corner = whole(line, row, 1, n == regular_face_size(scheme_) ? 1 : n);
     if (!is_inside(point.uv))
       throw error_at(file_, line, "(u, v) = ({}, {}) lies outside face {}; {} is inside",
                      point.uv[0], point.uv[1], point.face.value,
-                     basis_.on_triangles() ? "u, v >= 0, u + v <= 1" : "0 to 1");
+                     on_triangles() ? "u, v >= 0, u + v <= 1" : "0 to 1");
     return point;
   }
 
  private:
+  [[nodiscard]] bool on_triangles() const { return scheme_.split == Split::triangles; }
   [[nodiscard]] bool is_inside(const Vec2& uv) const {
     if (uv.minCoeff() < 0 || uv.maxCoeff() > 1) return false;
     // What rounding leaves of points on the third side is inside.
-    return !basis_.on_triangles() || uv.sum() <= 1 + 4 * std::numeric_limits<double>::epsilon();
+    return !on_triangles() || uv.sum() <= 1 + 4 * std::numeric_limits<double>::epsilon();
   }
 
   /// The value of a column, which must be a whole number in [0, end).
@@ -51,15 +54,16 @@ class PointChecker {
   }
 
   std::string file_;
-  const LimitBasis& basis_;
+  const Topology& topology_;
+  const Scheme& scheme_;
 };
 
 }  // namespace
 
 std::vector<SamplePoint> read_sample_points(const std::filesystem::path& file,
-                                            const LimitBasis& basis) {
+                                            const Topology& topology, const Scheme& scheme) {
   const NumberTable table = read_number_table(file, column_names);
-  const PointChecker checker(file.string(), basis);
+  const PointChecker checker(file.string(), topology, scheme);
   std::vector<SamplePoint> points;
   points.reserve(table.num_rows());
   for (std::size_t i = 0; i < table.num_rows(); ++i)

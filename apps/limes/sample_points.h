@@ -18,6 +18,7 @@ struct SamplePoint {
 /// Reads a table with the columns face, corner, u, v in any order; others are ignored.
 /// @throws InputError "FILE:LINE: ..." for what is no such table and for points outside their face
 [[nodiscard]] std::vector<SamplePoint> read_sample_points(const std::filesystem::path& file,
-                                                          const LimitBasis& basis);
+                                                          const Topology& topology,
+                                                          const Scheme& scheme);
 
 }  // namespace limes::app

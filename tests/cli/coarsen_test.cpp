@@ -31,6 +31,31 @@ TEST(Coarsen, UndoesRefineOnFiles) {
   }
 }
 
+/// Old vertices stay, so dropping the others gives the mesh back to the bit, breakpoints as tags.
+TEST(Coarsen, UndoesKobbelt) {
+  const TempFolder folder;
+  for (const char* name : {"torus.obj", "cube.obj"}) {
+    ASSERT_EQ(run_limes({"refine", data_file(name), "-o", folder / "fine.obj", "--scheme",
+                         "kobbelt", "--levels", "1", "--tension", "0.7"})
+                  .exit_code,
+              0);
+    const Result result = run_limes({"coarsen", folder / "fine.obj", "-o", folder / "back.obj",
+                                     "--scheme", "kobbelt", "--tension", "0.7", "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Mesh want = read_mesh(data_file(name)).mesh;
+    const Mesh got = read_mesh(folder / "back.obj").mesh;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["residual"], 0.0);
+    EXPECT_EQ(got.topology, want.topology) << name;
+    EXPECT_EQ(got.points, want.points) << name;
+    expect_failure(run_limes({"coarsen", folder / "fine.obj", "-o", folder / "x.obj", "--scheme",
+                              "kobbelt", "--tension", "1"}),
+                   3, "away from where refinement would put it");
+  }
+  expect_failure(
+      run_limes({"coarsen", data_file("cube.obj"), "-o", folder / "x.obj", "--scheme", "loop"}), 2,
+      "not loop");
+}
+
 TEST(Coarsen, RefusesWhatIsNotRefined) {
   const TempFolder folder;
   expect_failure(run_limes({"coarsen", data_file("pawn.obj"), "-o", folder / "x.obj"}), 3,

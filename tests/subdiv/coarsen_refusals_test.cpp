@@ -13,7 +13,7 @@ namespace {
 
 std::string error_of(const Mesh& mesh, double tolerance = CoarsenOptions{}.tolerance) {
   try {
-    (void)coarsen_catmull_clark(mesh, {.tolerance = tolerance});
+    (void)coarsen(mesh, {.tolerance = tolerance});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -56,9 +56,9 @@ TEST(Coarsen, RefusesAtOnceOnlyWhatIsTooFarAway) {
       Mesh moved = mesh;
       for (Vec3& x : moved.points)
         x += size * size_of(mesh) * Vec3(noise(), noise(), noise());
-      const double residual = coarsen_catmull_clark(moved, {.tolerance = 1}).residual;
+      const double residual = coarsen(moved, {.tolerance = 1}).residual;
       const double just = residual / size_of(moved) * (1 + 1e-9);
-      EXPECT_NO_THROW((void)coarsen_catmull_clark(moved, {.tolerance = just})) << name << size;
+      EXPECT_NO_THROW((void)coarsen(moved, {.tolerance = just})) << name << size;
       const std::string message = error_of(moved, 0.01 * just);
       EXPECT_NE(message.find(" is at least "), std::string::npos) << message;
     }

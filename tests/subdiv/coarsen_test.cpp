@@ -75,19 +75,19 @@ TEST_P(Shapes, ComeBackInTheirOwnNumbering) {
   const Mesh mesh = read_shape(GetParam());
   const Mesh fine = refined(mesh);
   if (mesh.topology.num_vertices() < 400 && !has_full_rank(mesh)) {
-    EXPECT_THROW((void)coarsen_catmull_clark(fine), InputError);
+    EXPECT_THROW((void)coarsen(fine), InputError);
     return;
   }
   if (loses_tags(mesh)) {
     // Nothing to undo it by, unless the positions do not show it.
     try {
-      EXPECT_LE(coarsen_catmull_clark(fine).residual, 1e-6 * size_of(fine));
+      EXPECT_LE(coarsen(fine).residual, 1e-6 * size_of(fine));
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("not a refined mesh"), std::string::npos);
     }
     return;
   }
-  const CoarsenResult coarse = coarsen_catmull_clark(fine);
+  const CoarsenResult coarse = coarsen(fine);
   ASSERT_EQ(coarse.mesh.topology, mesh.topology);
   EXPECT_LT(largest_distance(coarse.mesh, mesh), 1e-11 * size_of(mesh));
   EXPECT_TRUE(coarse.remarks.empty()) << coarse.remarks.front();
@@ -154,7 +154,7 @@ void expect_same_vertices(const Mesh& a, const Mesh& b, double tolerance) {
 TEST_P(Shapes, ComeBackFromAnyNumbering) {
   const Mesh mesh = read_shape(GetParam());
   if (mesh.topology.num_vertices() > 400 || loses_tags(mesh) || !has_full_rank(mesh)) return;
-  const Mesh coarse = coarsen_catmull_clark(shuffled(refined(mesh), 7)).mesh;
+  const Mesh coarse = coarsen(shuffled(refined(mesh), 7)).mesh;
   EXPECT_EQ(coarse.topology.num_faces(), mesh.topology.num_faces());
   EXPECT_EQ(coarse.topology.num_corners(), mesh.topology.num_corners());
   expect_same_vertices(coarse, mesh, 1e-11 * size_of(mesh));
@@ -166,11 +166,11 @@ TEST(Coarsen, TakesBackLevelByLevel) {
   // Regular everywhere: the labels are four times ambiguous, the positions decide.
   const Mesh torus = read_mesh(LIMES_DATA_DIR "/torus.obj").mesh;
   for (const int levels : {1, 2, 3}) {
-    const Mesh coarse = coarsen_catmull_clark(shuffled(refined(torus, levels), 3)).mesh;
+    const Mesh coarse = coarsen(shuffled(refined(torus, levels), 3)).mesh;
     expect_same_vertices(coarse, refined(torus, levels - 1), 1e-11 * size_of(torus));
   }
   const Mesh pawn = read_mesh(LIMES_DATA_DIR "/pawn.obj").mesh;
-  const Mesh coarse = coarsen_catmull_clark(refined(pawn, 2)).mesh;
+  const Mesh coarse = coarsen(refined(pawn, 2)).mesh;
   EXPECT_LT(largest_distance(coarse, refined(pawn)), 1e-11 * size_of(pawn));
 }
 
@@ -180,7 +180,7 @@ TEST(Coarsen, AgreesWithTheClosedForm) {
   const Mesh pawn = read_mesh(LIMES_DATA_DIR "/pawn.obj").mesh;
   const Mesh fine = refined(pawn);
   const Adjacency adjacency(fine.topology);
-  const Mesh coarse = coarsen_catmull_clark(fine).mesh;
+  const Mesh coarse = coarsen(fine).mesh;
   const Sharpness sharpness(adjacency, resolve_tags(adjacency, fine.tags, BoundaryRule::edges));
   int checked = 0;
   for (int v = 0; v < coarse.topology.num_vertices(); ++v) {  // old vertices keep their ids
@@ -220,7 +220,7 @@ Mesh joined(const Mesh& a, const Mesh& b) {
 
 TEST(Coarsen, TakesEveryComponentByItself) {
   const Mesh mesh = joined(read_shape("catmark_torus"), read_shape("catmark_pyramid"));
-  const Mesh coarse = coarsen_catmull_clark(refined(mesh)).mesh;
+  const Mesh coarse = coarsen(refined(mesh)).mesh;
   ASSERT_EQ(coarse.topology, mesh.topology);
   EXPECT_LT(largest_distance(coarse, mesh), 1e-11 * size_of(mesh));
 }
@@ -234,7 +234,7 @@ TEST(Coarsen, CarriesGroupsPartsAndHoles) {
     mesh.parts[f < n / 2 ? 0 : 1].faces.emplace_back(f);
   mesh.tags.holes = {FaceId(3)};
   Mesh fine = refined(mesh);
-  const CoarsenResult whole = coarsen_catmull_clark(fine);
+  const CoarsenResult whole = coarsen(fine);
   EXPECT_EQ(whole.mesh.groups[0].faces, mesh.groups[0].faces);
   EXPECT_EQ(whole.mesh.parts[0].faces, mesh.parts[0].faces);
   EXPECT_EQ(whole.mesh.parts[1].faces, mesh.parts[1].faces);
@@ -242,7 +242,7 @@ TEST(Coarsen, CarriesGroupsPartsAndHoles) {
   EXPECT_TRUE(whole.remarks.empty());
 
   fine.groups[0].faces.pop_back();  // a child of face 5 leaves
-  const CoarsenResult split = coarsen_catmull_clark(fine);
+  const CoarsenResult split = coarsen(fine);
   EXPECT_EQ(split.mesh.groups[0].faces, (std::vector<FaceId>{FaceId(1), FaceId(2)}));
   ASSERT_EQ(split.remarks.size(), 1U);
   EXPECT_NE(split.remarks[0].find("group some"), std::string::npos);
@@ -253,7 +253,7 @@ TEST(Coarsen, AcceptsRoundedFiles) {
   Mesh fine = refined(mesh);
   for (Vec3& x : fine.points)
     x = (x * 1e6).array().round() / 1e6;
-  const CoarsenResult coarse = coarsen_catmull_clark(fine);
+  const CoarsenResult coarse = coarsen(fine);
   EXPECT_LT(largest_distance(coarse.mesh, mesh), 1e-5);
   EXPECT_LT(coarse.residual, 2e-6);
 }

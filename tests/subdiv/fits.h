@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/scheme.h"
@@ -24,6 +26,11 @@ inline bool fits(const Scheme& scheme, const Mesh& mesh) {
   if ((scheme.split == Split::dual || scheme.split == Split::mid_edge) && !has_dual(mesh))
     return false;
   if (!scheme.creases && !(mesh.tags.creases.empty() && mesh.tags.corners.empty())) return false;
+  const auto semi_sharp = [](const auto& tag) { return tag.sharpness < infinite_sharpness; };
+  if (scheme.boundary == Boundary::open_net &&
+      (std::any_of(mesh.tags.creases.begin(), mesh.tags.creases.end(), semi_sharp) ||
+       std::any_of(mesh.tags.corners.begin(), mesh.tags.corners.end(), semi_sharp)))
+    return false;
   if (scheme.faces == FaceKind::polygons) return true;
   return mesh.topology.uniform_face_size() == (scheme.faces == FaceKind::quads ? 4 : 3);
 }

@@ -14,6 +14,7 @@
 #include "limes/subdiv/coarsen_positions.h"
 #include "limes/subdiv/coarsen_tags.h"
 #include "limes/subdiv/crease.h"
+#include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
@@ -34,6 +35,8 @@ class Coarsener {
         features_(resolve_tags(adjacency_, mesh.tags, BoundaryRule::edges)),
         sharpness_(adjacency_, features_),
         labels_(adjacency_),
+        scheme_(find_scheme(options.scheme)),
+        refine_(options.refine),
         size_(bounding_box(mesh).diagonal()),
         tolerance_(options.tolerance) {}
 
@@ -58,12 +61,13 @@ class Coarsener {
     bool boundary = false;
     for (int f = 0; f < t.num_faces(); ++f) {
       if (t.face_size(FaceId(f)) != 4)
-        throw InputError("face {} has {} corners; a step of Catmull-Clark leaves quads only", f,
-                         t.face_size(FaceId(f)));
+        throw InputError("face {} has {} corners; a step of {} leaves quads only", f,
+                         t.face_size(FaceId(f)), scheme_.name);
       for (const VertexId v : t.face(FaceId(f)))
         boundary = boundary || adjacency_.is_boundary(v);
     }
-    if (boundary && mesh_.tags.boundary == BoundaryRule::none)
+    if (boundary && scheme_.boundary == Boundary::creases &&
+        mesh_.tags.boundary == BoundaryRule::none)
       throw InputError(
           "the boundary rule is none: the faces that shaped the boundary are not in the mesh");
   }
@@ -99,6 +103,10 @@ class Coarsener {
       const CoarseTags tags = coarse_tags(coarse, adjacency);
       reason = tags.misfit;
       if (!reason.empty()) return {};
+      if (scheme_.interpolatory) {
+        CoarsePositions positions = keep_positions(coarse, adjacency, tags.tags);
+        return Reading{first_old, std::move(coarse.old_vertex), std::move(positions), false};
+      }
       const Features features = resolve_tags(adjacency, tags.tags, boundary_rule());
       const ResidualBound bound =
           residual_bound(adjacency_, coarse, adjacency, features, mesh_.points.span());
@@ -111,6 +119,16 @@ class Coarsener {
       reason = error.what();
       return {};
     }
+  }
+
+  [[nodiscard]] CoarsePositions keep_positions(const Unsplit& coarse, const Adjacency& adjacency,
+                                               const Tags& tags) const {
+    Mesh old;  // what control_features() looks at
+    old.tags = tags;
+    for (const VertexId v : coarse.old_vertex)
+      old.points.push_back(mesh_.points[v]);
+    const Features features = control_features(adjacency, old, scheme_, refine_);
+    return kept_positions(adjacency_, coarse, adjacency, features, scheme_, mesh_.points.span());
   }
 
   void require_fit(const Reading& reading) const {
@@ -206,13 +224,19 @@ class Coarsener {
   Features features_;
   Sharpness sharpness_;
   QuadrisectionLabels labels_;
+  const Scheme& scheme_;
+  RefineOptions refine_;
   double size_, tolerance_;
   CoarsenResult result_{{}, 0.0, {}};
 };
 
 }  // namespace
 
-CoarsenResult coarsen_catmull_clark(const Mesh& mesh, const CoarsenOptions& options) {
+CoarsenResult coarsen(const Mesh& mesh, const CoarsenOptions& options) {
+  const Scheme& scheme = find_scheme(options.scheme);
+  if (scheme.name != "catmull-clark" && !(scheme.interpolatory && scheme.split == Split::quads))
+    throw UsageError("coarsening undoes catmull-clark and interpolatory schemes of quads, not {}",
+                     scheme.name);
   return Coarsener(mesh, options).run();
 }
 

@@ -105,4 +105,24 @@ CoarsePositions solve_positions(const Adjacency& fine, const Unsplit& coarse,
   return out;
 }
 
+CoarsePositions kept_positions(const Adjacency& fine, const Unsplit& coarse,
+                               const Adjacency& adjacency, const Features& features,
+                               const Scheme& scheme, std::span<const Vec3> fine_points) {
+  const auto point = [&](VertexId v) { return fine_points[static_cast<std::size_t>(v.value)]; };
+  CoarsePositions out{{}, 0.0, {}, true};
+  for (const VertexId v : coarse.old_vertex)
+    out.points.push_back(point(v));
+  const RefinementStep step(adjacency, features, scheme);
+  std::vector<Vec3> refined(static_cast<std::size_t>(step.num_child_vertices()));
+  step.apply(out.points, refined);
+  const std::vector<VertexId> rows = rows_of(fine, coarse, adjacency);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double distance = (refined[i] - point(rows[i])).norm();
+    if (i > 0 && distance <= out.residual) continue;
+    out.residual = distance;
+    out.worst = rows[i];
+  }
+  return out;
+}
+
 }  // namespace limes

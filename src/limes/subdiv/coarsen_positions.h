@@ -5,6 +5,7 @@
 #include "limes/core/types.h"
 #include "limes/subdiv/features.h"
 #include "limes/subdiv/quadrisection_labels.h"
+#include "limes/subdiv/scheme.h"
 
 namespace limes {
 
@@ -21,6 +22,12 @@ struct CoarsePositions {
 [[nodiscard]] CoarsePositions solve_positions(const Adjacency& fine, const Unsplit& coarse,
                                               const Adjacency& adjacency, const Features& features,
                                               std::span<const Vec3> fine_points);
+
+/// The same for an interpolatory scheme, whose old vertices stay.
+[[nodiscard]] CoarsePositions kept_positions(const Adjacency& fine, const Unsplit& coarse,
+                                             const Adjacency& adjacency, const Features& features,
+                                             const Scheme& scheme,
+                                             std::span<const Vec3> fine_points);
 
 /// Whether S has full column rank, for a connected mesh. Where S x = 0, the edge rule makes the ends
 /// of every edge opposite, x_b = -x_a; then the vertex rule leaves (n - 3)/n x at smooth vertices,

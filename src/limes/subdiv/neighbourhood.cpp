@@ -75,7 +75,7 @@ EdgeNeighbourhood NeighbourhoodWalk::edge(EdgeId e) {
 }
 
 void NeighbourhoodWalk::collect_spokes(std::size_t i, HalfedgeId h) {
-  const Adjacency& a = *adjacency_;
+  const Adjacency& a = open_net_ ? open_net_->adjacency() : *adjacency_;
   const VertexId centre = a.from(h);
   if (spoke_ids_.size() <= i) {
     spoke_ids_.resize(i + 1);
@@ -109,12 +109,19 @@ FaceNeighbourhood NeighbourhoodWalk::wide_face(FaceId f) {
   for (std::size_t i = 0; i < n.corners.size(); ++i)
     collect_spokes(i, adjacency_->topology().halfedge(f, static_cast<int>(i)));
   n.rings = std::span<const Spokes>(spokes_).first(n.corners.size());
+  if (!open_net_) return n;
+  curves_.clear();
+  for (std::size_t i = 0; i < n.corners.size(); ++i)
+    curves_.push_back(open_net_->curve(adjacency_->topology().halfedge(f, static_cast<int>(i))));
+  n.curves = curves_;
   return n;
 }
 
 EdgeNeighbourhood NeighbourhoodWalk::wide_edge(EdgeId e) {
   const HalfedgeId h = adjacency_->halfedge(e);
   EdgeNeighbourhood n = edge(e);
+  if (open_net_) n.curve = open_net_->curve(h);
+  if (n.curve.on_curve) return n;
   collect_spokes(0, h);
   // The edge starts at its other end with the twin; on the boundary it is the last one there.
   const HalfedgeId twin = adjacency_->twin(h);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "limes/subdiv/features.h"
+#include "limes/subdiv/open_net.h"
 
 namespace limes {
 
@@ -36,6 +37,7 @@ struct FaceNeighbourhood {
   FaceId face;
   std::span<const VertexId> corners;
   std::span<const Spokes> rings;  ///< of the corners, from the side after it; wide schemes only
+  std::span<const CurveEdge> curves = {};  ///< of the sides; on open nets with curves only
 };
 
 /// What a rule sees of an edge.
@@ -49,6 +51,7 @@ struct EdgeNeighbourhood {
   bool child_sharp;                  ///< both halves are still sharp on the next level
   int part = 0;                      ///< which of several new vertices, see ChildVertex
   std::array<Spokes, 2> rings = {};  ///< of the ends, from this edge; wide schemes only
+  CurveEdge curve = {};              ///< on open nets
 };
 
 /// What a rule sees of a vertex: its ring, counter-clockwise. On the boundary the ring starts with
@@ -67,16 +70,16 @@ struct VertexNeighbourhood {
 /// thread uses its own.
 class NeighbourhoodWalk {
  public:
-  /// All three must outlive the walk.
+  /// All must outlive the walk. With an open net, rings are taken from there.
   NeighbourhoodWalk(const Adjacency& adjacency, const Features& features,
-                    const Sharpness& sharpness)
-      : adjacency_(&adjacency), features_(&features), sharpness_(&sharpness) {}
+                    const Sharpness& sharpness, const OpenNet* open_net = nullptr)
+      : adjacency_(&adjacency), features_(&features), sharpness_(&sharpness), open_net_(open_net) {}
 
   [[nodiscard]] FaceNeighbourhood face(FaceId f) const {
     return {f, adjacency_->topology().face(f), {}};
   }
   [[nodiscard]] EdgeNeighbourhood edge(EdgeId e);
-  /// The same with rings.
+  /// The same with rings and curves.
   [[nodiscard]] FaceNeighbourhood wide_face(FaceId f);
   [[nodiscard]] EdgeNeighbourhood wide_edge(EdgeId e);
   /// Precondition: v has a face.
@@ -94,6 +97,7 @@ class NeighbourhoodWalk {
   const Adjacency* adjacency_;
   const Features* features_;
   const Sharpness* sharpness_;
+  const OpenNet* open_net_;
   std::vector<VertexId> neighbours_;
   std::vector<FaceId> faces_;
   std::vector<EdgeId> edges_;
@@ -104,6 +108,7 @@ class NeighbourhoodWalk {
   };
   std::vector<SpokeIds> spoke_ids_;
   std::vector<Spokes> spokes_;
+  std::vector<CurveEdge> curves_;
 };
 
 }  // namespace limes

@@ -32,8 +32,7 @@ std::vector<FaceGroup> descendants(const Topology& control, const std::vector<Fa
 /// All steps at once; children are found by arithmetic.
 Mesh refine_by_quadrisection(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   const Adjacency adjacency(mesh.topology);
-  Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
-  if (options.sector_stencils) measure_corners(adjacency, mesh.points.span(), features);
+  Features features = control_features(adjacency, mesh, scheme, options);
   Mesh fine;
   if (options.levels == 0) {
     fine.topology = mesh.topology;
@@ -58,7 +57,7 @@ Mesh refine_by_quadrisection(const Mesh& mesh, const Scheme& scheme, const Refin
 /// Step by step, for the other splits.
 Mesh refine_by_steps(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   Mesh current = mesh;
-  Features features = resolve_tags(Adjacency(mesh.topology), mesh.tags, options.boundary);
+  Features features = control_features(Adjacency(mesh.topology), mesh, scheme, options);
   for (int level = 0; level < options.levels; ++level) {
     const Adjacency adjacency(current.topology, Adjacency::Check::edges);
     const RefinementStep step(adjacency, features, scheme);
@@ -81,6 +80,16 @@ Mesh refine_by_steps(const Mesh& mesh, const Scheme& scheme, const RefineOptions
 }
 
 }  // namespace
+
+Features control_features(const Adjacency& adjacency, const Mesh& mesh, const Scheme& scheme,
+                          const RefineOptions& options) {
+  Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
+  features.tension = options.tension;
+  if (options.sector_stencils) measure_corners(adjacency, mesh.points.span(), features);
+  if (scheme.boundary == Boundary::open_net)
+    add_breakpoints(adjacency, mesh.points.span(), options.corners, features);
+  return features;
+}
 
 Mesh refine(const Mesh& mesh, const Scheme& scheme, const RefineOptions& options) {
   if (scheme.needs_positions) {

@@ -64,6 +64,8 @@ RefinementStep::RefinementStep(const Adjacency& parent, const Features& features
   require_faces(parent.topology(), scheme);
   if (!scheme.creases) require_no_creases(parent, features, scheme);
   if (!is_quadrisection(scheme.split)) split_ = explicit_split(parent, features, scheme.split);
+  if (scheme.boundary == Boundary::open_net)
+    open_net_ = std::make_unique<const OpenNet>(parent, features);
 }
 
 int RefinementStep::num_child_vertices() const {
@@ -129,14 +131,15 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
       const EdgeId e(source.from);
       EdgeNeighbourhood n = is_wide() ? walk.wide_edge(e) : walk.edge(e);
       n.part = source.part;
-      return scheme_->edge_rule(n, *features_, out);
+      scheme_->edge_rule(n, *features_, out);
+      break;
     }
     case ChildVertex::Kind::face: {
       const FaceId f(source.from);
       const FaceNeighbourhood n = is_wide() ? walk.wide_face(f) : walk.face(f);
       scheme_->face_rule(n, *features_, out);
       if (features_->sector_stencils) flatten_face(n, out);
-      return;
+      break;
     }
     case ChildVertex::Kind::corner: {
       const HalfedgeId h(source.from);
@@ -144,6 +147,7 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
       return scheme_->corner_rule(n, parent_->corner_index(h), *features_, out);
     }
   }
+  if (open_net_) open_net_->resolve(out);
 }
 
 template <class Value>
@@ -225,9 +229,11 @@ std::vector<VertexId> RefinementStep::children_of(const SurroundedElements& elem
 std::vector<VertexId> RefinementStep::update(std::span<const Vec3> coarse,
                                              std::span<const VertexId> changed,
                                              std::span<Vec3> fine) const {
-  // Rules reach no farther than the faces around a vertex, wide ones one ring more.
+  // Rules reach no farther than the faces around a vertex, wide ones one ring more; what is
+  // extrapolated there depends on one more again.
   SurroundedElements around = surrounded_by(*parent_, changed);
   if (is_wide()) around = surrounded_by(*parent_, around.vertices);
+  if (open_net_) around = surrounded_by(*parent_, around.vertices);
   std::vector<VertexId> renewed = children_of(around);
 
   const VertexId first_face = first_face_point();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -68,11 +69,14 @@ class RefinementStep {
   const Features* features_;
   const Scheme* scheme_;
   Sharpness sharpness_;
-  std::optional<ExplicitSplit> split_;  // unless quadrisection
+  std::optional<ExplicitSplit> split_;       // unless quadrisection
+  std::unique_ptr<const OpenNet> open_net_;  // if the scheme continues the net
 
  public:
   /// For callers that walk on their own.
-  [[nodiscard]] NeighbourhoodWalk walk() const { return {*parent_, *features_, sharpness_}; }
+  [[nodiscard]] NeighbourhoodWalk walk() const {
+    return {*parent_, *features_, sharpness_, open_net_.get()};
+  }
 };
 
 /// Adds a stencil to one matrix row, face points replaced by the means of their corners.

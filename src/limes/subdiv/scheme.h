@@ -39,7 +39,8 @@ enum class Boundary {
   creases,  ///< BoundaryRule: a crease, or faces that only support others
   own,      ///< a rule of its own, always the same
   shrinks,  ///< none: the surface ends before its boundary
-  quasi     ///< QuasiBoundary
+  quasi,    ///< QuasiBoundary
+  open_net  ///< curves of their own, also at creases; faces extrapolated beyond (open_net.h)
 };
 
 /// A subdivision scheme: how topology splits, and for each new vertex the weights of the old ones.

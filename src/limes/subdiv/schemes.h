@@ -36,6 +36,9 @@ void four_eight_face(const FaceNeighbourhood& face, const RuleOptions& options, 
 void four_eight_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 void four_eight_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out);
 
+void kobbelt_face(const FaceNeighbourhood& n, const RuleOptions& options, Stencil& out);
+void kobbelt_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out);
+
 void butterfly_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 
 }  // namespace limes

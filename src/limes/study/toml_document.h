@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "limes/study/toml.h"
+
+namespace limes {
+
+/// The text of a TOML file. @throws InputError that names the file
+[[nodiscard]] std::string read_toml_text(const std::filesystem::path& path);
+
+/// @param file  for messages
+/// @throws InputError "FILE:LINE: what" for a text that is no TOML
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace limes
