@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "curve_refinement.h"
 #include "files.h"
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
+#include "limes/curve/curve_scheme.h"
 #include "limes/limit/star_masks.h"
 #include "limes/subdiv/refine.h"
 #include "limit_mesh.h"
@@ -81,9 +83,14 @@ void remark_on_surface(const Mesh& mesh, const SchemeChoice& choice, const std::
 
 void RefineCommand::operator()() const {
   const Run current(run);
+  const int num_levels = parse_whole_number("--levels", levels, 0);
+  if (is_curve_scheme(scheme.scheme)) {
+    if (limit) throw UsageError("--limit: {} has no such option", scheme.scheme);
+    if (mesh.repair) throw UsageError("--repair: curves have nothing to repair");
+    return refine_curves({mesh.file, output, scheme, num_levels}, run, current);
+  }
   const SchemeChoice choice = choose_scheme(scheme);
   if (limit) require_limit(choice);
-  const int num_levels = parse_whole_number("--levels", levels, 0);
   check_mesh_output(output, run);
   Mesh coarse = num_levels > 0 || limit ? load_refinable_mesh(mesh) : load_mesh(mesh);
   if (choice.boundary) coarse.tags.boundary = choice.boundary;
@@ -144,7 +151,8 @@ void add_refine(CLI::App& program) {
       "Creases, corners, holes, groups and parts are carried to the finer mesh; .obj keeps "
       "them.\n\n"
       "  limes refine cube.obj -o fine.obj --scheme catmull-clark --levels 3\n"
-      "  limes refine rook.obj -o rook.vtu --scheme catmull-clark --levels 2 --limit");
+      "  limes refine rook.obj -o rook.vtu --scheme catmull-clark --levels 2 --limit\n"
+      "  limes refine polygon.obj -o curve.obj --scheme lane-riesenfeld:3 --levels 4");
   app.final_callback([command] { (*command)(); });
 }
 

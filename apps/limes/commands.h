@@ -13,6 +13,7 @@ namespace limes::app {
   X(coarsen)              \
   X(limit)                \
   X(evaluate)             \
+  X(spectrum)             \
   X(solve)                \
   X(study)                \
   X(schemes)              \

@@ -235,6 +235,16 @@ void require_limit(const SchemeChoice& choice) {
     throw UsageError("--boundary: limits with rule biermann are not evaluated, only refined");
 }
 
+/// Up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
+double parse_tension(const std::string& text) {
+  const double most = 2.0 * (std::sqrt(5.0) - 1.0);
+  const auto number = parse_real(text);
+  if (!number || !(*number >= 0.0 && *number <= most))
+    throw UsageError("--tension: {} is no number from 0 to {:.6g}, 2 (sqrt 5 - 1)", quote(text),
+                     most);
+  return *number;
+}
+
 int parse_whole_number(const char* option, const std::string& text, int least) {
   const auto number = parse_integer(text);
   constexpr int most = std::numeric_limits<int>::max();

@@ -77,6 +77,12 @@ void require_limit(const SchemeChoice& choice);
 /// Whether the scheme has a tension and corner rules.
 [[nodiscard]] bool has_tension(const Scheme& scheme);
 
+/// Whether the scheme has a tension.
+[[nodiscard]] bool has_tension(const Scheme& scheme);
+
+/// 0 to 2 (sqrt 5 - 1). @throws UsageError
+[[nodiscard]] double parse_tension(const std::string& text);
+
 /// A decimal whole number, at least `least`.
 /// @throws UsageError that names the option
 [[nodiscard]] int parse_whole_number(const char* option, const std::string& text, int least);

@@ -14,6 +14,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
+#include "limes/io/whole_file.h"
 
 namespace limes {
 
@@ -51,7 +52,8 @@ const Format* find_format(const fs::path& file) {
   return format == all_formats.end() ? nullptr : &*format;
 }
 
-/// @throws InputError unless a mesh file may be there, whatever its extension
+}  // namespace
+
 void require_file(const fs::path& path) {
   const std::string name = path.string();
   std::error_code error;
@@ -79,6 +81,8 @@ std::string read_bytes(const fs::path& path) {
   if (error || std::ferror(file.get()) != 0) throw InputError("{}: cannot be read", name);
   return bytes;
 }
+
+namespace {
 
 /// A file without faces could not be read again.
 void check_faces(const fs::path& file, const Format& format, const Mesh& mesh) {

@@ -28,6 +28,7 @@ class MeshBuilder {
   [[nodiscard]] int num_points() const { return points_.size(); }
   [[nodiscard]] int num_faces() const { return static_cast<int>(offsets_.size()) - 1; }
 
+  [[nodiscard]] const IdArray<VertexId, Vec3>& points() const { return points_; }
   /// Topology, points and face lines; called once, at the end.
   [[nodiscard]] Mesh build();
   [[nodiscard]] std::vector<std::string> remarks() const { return remarks_.sentences(); }

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "limes/core/text.h"
+#include "limes/io/curves.h"
 #include "limes/io/io.h"
 #include "limes/io/line_mesh_reader.h"
+#include "limes/io/obj_polylines.h"
 #include "limes/io/obj_tags.h"
 
 namespace limes {
@@ -38,17 +40,19 @@ class GroupTable {
 };
 
 constexpr std::size_t most_groups = 64;
-constexpr std::array<std::string_view, 10> ignored_keywords{"vt", "vn", "vp", "usemtl", "mtllib",
-                                                            "s",  "l",  "p",  "lod",    "usemap"};
+constexpr std::array<std::string_view, 9> ignored_keywords{"vt", "vn", "vp",  "usemtl", "mtllib",
+                                                           "s",  "p",  "lod", "usemap"};
 
 class ObjReader : LineMeshReader {
  public:
   ObjReader(std::string_view text, std::string_view file) : LineMeshReader(text, file, 1) {}
 
   MeshFile read();
+  CurveFile read_curves();
 
  private:
   void read_line(std::string_view line);
+  void read_polyline(std::string_view rest);
   void read_vertex(std::string_view rest);
   void read_face(std::string_view rest);
   void read_groups(std::string_view rest);
@@ -56,6 +60,9 @@ class ObjReader : LineMeshReader {
   std::int64_t corner_vertex(std::string_view corner) const;
   std::string valid_name(std::string_view name);
 
+  bool only_curves_ = false;
+  bool any_polyline_ = false;
+  ObjPolylines polylines_;
   std::vector<ObjTag> tags_;
   std::int64_t face_statements_ = 0;
   std::vector<std::int64_t> skipped_faces_;
@@ -75,6 +82,12 @@ std::string_view next_word(std::string_view& rest) {
 MeshFile ObjReader::read() {
   while (lines_.next_joined())
     read_line(lines_.line());
+  if (any_polyline_ && builder_.num_faces() == 0)
+    throw InputError(
+        "{}: polylines and no faces; schemes for curves (four-point, chaikin, lane-riesenfeld:D) "
+        "refine "
+        "them",
+        file_);
   MeshFile result;
   result.mesh = builder_.build();
   result.mesh.tags = resolve_obj_tags(file_, tags_, skipped_faces_, result.mesh, builder_);
@@ -84,10 +97,22 @@ MeshFile ObjReader::read() {
   return result;
 }
 
+/// Faces, names and tags are no concern of curves.
+CurveFile ObjReader::read_curves() {
+  only_curves_ = true;
+  while (lines_.next_joined())
+    read_line(lines_.line());
+  return {polylines_.build(file_, builder_.points()), builder_.remarks()};
+}
+
 void ObjReader::read_line(std::string_view line) {
   std::string_view rest = line;
   const std::string_view keyword = next_word(rest);
   if (keyword.empty()) return;
+  if (only_curves_ && keyword != "v") {
+    if (keyword == "l") read_polyline(rest);
+    return;
+  }
   if (keyword == "v") {
     read_vertex(rest);
   } else if (keyword == "f") {
@@ -98,6 +123,8 @@ void ObjReader::read_line(std::string_view line) {
     read_part(rest);
   } else if (keyword == "t") {
     tags_.push_back(parse_obj_tag(file_, lines_.number(), rest));
+  } else if (keyword == "l") {
+    any_polyline_ = true;  // read_curves() is for them
   } else if (std::find(ignored_keywords.begin(), ignored_keywords.end(), keyword) ==
              ignored_keywords.end()) {
     builder_.add_remark(lines_.number(), "unknown keyword " + quote(keyword) + " ignored");
@@ -161,6 +188,16 @@ void ObjReader::read_face(std::string_view rest) {
   ++face_statements_;
 }
 
+void ObjReader::read_polyline(std::string_view rest) {
+  corners_.clear();
+  for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
+    corners_.push_back(corner_vertex(word));
+  if (corners_.size() < 2)
+    throw error("a polyline with {}; 2 or more are right",
+                counted(corners_.size(), "vertex", "vertices"));
+  polylines_.add(corners_, lines_.number());
+}
+
 /// Without a name: no group. Every face is stored once for each of its groups, so their number is
 /// limited.
 void ObjReader::read_groups(std::string_view rest) {
@@ -193,6 +230,10 @@ std::string ObjReader::valid_name(std::string_view name) {
 }
 
 }  // namespace
+
+CurveFile read_obj_curves(std::string_view text, std::string_view file) {
+  return ObjReader(text, file).read_curves();
+}
 
 MeshFile read_obj(std::string_view text, std::string_view file) {
   return ObjReader(text, file).read();

@@ -184,6 +184,36 @@ Mesh disk(int n, int size) {
       [&](int s) { return on_circle(2 * pi * (s + 0.5) / n, 1); });
 }
 
+Mesh star(int n, int size) {
+  LIMES_ASSERT(n >= 2 && size >= 1);
+  return sectors(
+      n, size, true, [&](int s) { return on_circle(2 * pi * s / n, 1); },
+      [&](int s) { return on_circle(2 * pi * (s + 0.5) / n, 1.4); });
+}
+
+Mesh triangle_star(int n, int size) {
+  LIMES_ASSERT(n >= 3 && size >= 1);
+  Builder b(3);
+  b.add_point(Vec3::Zero());
+  // Ring r has r vertices per sector, from its spoke on.
+  const auto vertex = [&](int r, int k) {
+    return r == 0 ? 0 : 1 + n * (r - 1) * r / 2 + k % (n * r);
+  };
+  for (int r = 1; r <= size; ++r)
+    for (int s = 0; s < n; ++s)
+      for (int i = 0; i < r; ++i)
+        b.add_point((on_circle(2 * pi * s / n, r - i) + on_circle(2 * pi * (s + 1) / n, i)) / size);
+  for (int r = 1; r <= size; ++r)
+    for (int s = 0; s < n; ++s)
+      for (int i = 0; i < r; ++i) {
+        const int inner = s * (r - 1) + i, outer = s * r + i;
+        b.add_face({vertex(r - 1, inner), vertex(r, outer), vertex(r, outer + 1)});
+        if (i + 1 < r)
+          b.add_face({vertex(r - 1, inner), vertex(r, outer + 1), vertex(r - 1, inner + 1)});
+      }
+  return b.build();
+}
+
 Mesh half_disk(int num_faces, int size) {
   LIMES_ASSERT(num_faces >= 1 && size >= 1);
   const double step = num_faces == 1 ? pi / 2 : pi / num_faces;

@@ -25,6 +25,11 @@ namespace limes::shapes {
 /// The regular n-gon with corners on the unit circle, cut into n sectors of size x size quads
 /// around a middle vertex of valence n, which is vertex 0. n >= 3.
 [[nodiscard]] Mesh disk(int n, int size);
+/// n sectors of size x size quads around vertex 0, as disk() has them, but with spokes of length 1
+/// whatever n is. n >= 2.
+[[nodiscard]] Mesh star(int n, int size);
+/// n sectors of triangles around vertex 0, `size` rings of them; spokes of length 1. n >= 3.
+[[nodiscard]] Mesh triangle_star(int n, int size);
 /// num_faces sectors of size x size quads around vertex 0, which lies on the boundary; together
 /// they cover the upper half of the unit disk (for one face a quarter).
 [[nodiscard]] Mesh half_disk(int num_faces, int size);

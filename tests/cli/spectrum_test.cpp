@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(SpectrumCommand, PrintsJsonOnly) {
+  const Result result =
+      run_limes({"spectrum", "--scheme", "catmull-clark", "--valence", "3..5", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json results = Json::parse(result.out)["results"];
+  ASSERT_EQ(results.size(), 3U);
+  const Json& five = results[2];
+  EXPECT_EQ(five["valence"], 5);
+  EXPECT_EQ(five["eigenvalues"][0]["block"], 0);
+  EXPECT_NEAR(five["eigenvalues"][0]["value"], 1, 1e-12);
+  EXPECT_NEAR(five["subdominant"], 0.549988, 1e-6);  // [halstead_1993]
+  EXPECT_EQ(five["c1"], true);
+  EXPECT_GT(five["curvature_ratio"], 1);
+  EXPECT_NEAR(five["masks"][0]["limit"], 0.5, 1e-12);  // n / (n + 5)
+}
+
+TEST(SpectrumCommand, KnowsEveryScheme) {
+  for (const Scheme& s : all_schemes()) {
+    const Result result =
+        run_limes({"spectrum", "--scheme", std::string(s.name), "--valence", "6"});
+    EXPECT_EQ(result.exit_code, 0) << s.name << result.err;
+    EXPECT_NE(result.out.find("SUBDOMINANT"), std::string::npos);
+  }
+}
+
+TEST(SpectrumCommand, DrawsCharacteristicMaps) {
+  const TempFolder folder;
+  const Result result =
+      run_limes({"spectrum", "--scheme", "loop", "--valence", "3..6", "-o", folder / "maps.svg"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string svg = read_file(folder / "maps.svg");
+  EXPECT_NE(svg.find("valence 6"), std::string::npos);
+}
+
+TEST(SpectrumCommand, RefusesWrongUsage) {
+  const auto run = [](const char* scheme, const char* valence,
+                      const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"spectrum", "--scheme", scheme, "--valence", valence};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_limes(arguments);
+  };
+  expect_failure(run("lop", "3"), 2, "there is no scheme 'lop'");
+  for (const char* valence : {"2", "x", "5..3", "3..", "..4", "1..900", "-3", ""})
+    expect_failure(run("loop", valence), 2, "--valence");
+  expect_failure(run("loop", "3", {"--tension", "1"}), 2, "--tension: loop has no such option");
+  expect_failure(run("loop", "3", {"-o", "maps.pdf"}), 2, "--output");
+  expect_failure(run("loop", "3", {"-o", "/nonexistent/maps.svg"}), 5, "/nonexistent");
+}
+
+TEST(RefineCommand, RefinesCurves) {
+  const TempFolder folder;
+  const Result result = run_limes({"refine", data_file("polygon.obj"), "-o", folder / "c.obj",
+                                   "--scheme", "four-point", "--levels", "2", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["curves"], 2);
+  EXPECT_EQ(json["vertices"], 6 * 4 + (5 - 1) * 4 + 1);
+  EXPECT_NE(read_file(folder / "c.obj").find("\nl 1 2 3"), std::string::npos);
+}
+
+TEST(RefineCommand, TellsMeshesFromCurves) {
+  const TempFolder folder;
+  const auto run = [&](const std::string& file, const char* scheme,
+                       const std::vector<std::string>& more = {}, const char* out = "c.obj",
+                       const char* levels = "1") {
+    std::vector<std::string> arguments{"refine",   file,   "-o",       folder / out,
+                                       "--scheme", scheme, "--levels", levels};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_limes(arguments);
+  };
+  const std::string polygon = data_file("polygon.obj"), cube = data_file("cube.obj");
+  expect_failure(run(polygon, "loop"), 3, "polylines and no faces");
+  expect_failure(run(cube, "chaikin"), 3, "no polylines");
+  expect_failure(run(polygon, "lane-riesenfeld:0"), 2, "lane-riesenfeld");
+  expect_failure(run(polygon, "chaikin", {"--tension", "1"}), 2, "--tension");
+  expect_failure(run(polygon, "four-point", {"--tension", "9"}), 2, "--tension");
+  expect_failure(run(polygon, "chaikin", {"--boundary", "edges"}), 2, "--boundary");
+  expect_failure(run(polygon, "chaikin", {"--limit"}), 2, "--limit");
+  expect_failure(run(polygon, "chaikin", {}, "c.ply"), 2, "--output");
+  expect_failure(run(polygon, "chaikin", {}, "c.obj", "60"), 3, "level");
+  expect_failure(run(folder.file("two.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "chaikin"), 3,
+                 "an open polyline with 2 points; chaikin needs 3");
+  expect_failure(run(folder.file("bad.obj", "v 0 0 0\nl 1 7\n"), "chaikin"), 3,
+                 "bad.obj:2: vertex 7 does not exist");
+  EXPECT_EQ(folder.list().size(), 2U);
+}
+
+}  // namespace
+}  // namespace limes::test
