@@ -195,16 +195,6 @@ CornerRule parse_corners(const std::string& name) {
   throw UsageError("--corners: there is no rule {}; known are auto, none, all", quote(name));
 }
 
-/// Up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
-double parse_tension(const std::string& text) {
-  const double most = 2.0 * (std::sqrt(5.0) - 1.0);
-  const auto number = parse_real(text);
-  if (!number || !(*number >= 0.0 && *number <= most))
-    throw UsageError("--tension: {} is no number from 0 to {:.6g}, 2 (sqrt 5 - 1)", quote(text),
-                     most);
-  return *number;
-}
-
 }  // namespace
 
 SchemeChoice choose_scheme(const SchemeOptions& options) {

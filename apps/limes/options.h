@@ -77,10 +77,8 @@ void require_limit(const SchemeChoice& choice);
 /// Whether the scheme has a tension and corner rules.
 [[nodiscard]] bool has_tension(const Scheme& scheme);
 
-/// Whether the scheme has a tension.
-[[nodiscard]] bool has_tension(const Scheme& scheme);
-
-/// 0 to 2 (sqrt 5 - 1). @throws UsageError
+/// 0 to 2 (sqrt 5 - 1): up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
+/// @throws UsageError
 [[nodiscard]] double parse_tension(const std::string& text);
 
 /// A decimal whole number, at least `least`.
