@@ -68,7 +68,8 @@ void CoarsenCommand::operator()() const {
 void add_coarsen(CLI::App& program) {
   const auto command = std::make_shared<CoarsenCommand>();
   command->scheme.scheme = "catmull-clark";
-  CLI::App& app = *program.add_subcommand("coarsen", "Undo one step of Catmull-Clark or kobbelt");
+  CLI::App& app =
+      *program.add_subcommand("coarsen", "Undo one step of Catmull-Clark, Loop or kobbelt");
   add_output_option(app, command->output, "Mesh to write: .obj, .off, .ply, .stl or .vtu");
   add_mesh_options(app, command->mesh);
   app.add_option("--scheme", command->scheme.scheme, "Scheme of the step [catmull-clark]")

@@ -15,6 +15,7 @@
 #include "limes/subdiv/coarsen_tags.h"
 #include "limes/subdiv/crease.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/triangle_labels.h"
 
 namespace limes {
 namespace {
@@ -35,6 +36,8 @@ class Coarsener {
         features_(resolve_tags(adjacency_, mesh.tags, BoundaryRule::edges)),
         sharpness_(adjacency_, features_),
         labels_(adjacency_),
+        triangle_origins_(static_cast<std::size_t>(mesh.topology.num_vertices()),
+                          VertexOrigin::unknown),
         scheme_(find_scheme(options.scheme)),
         refine_(options.refine),
         size_(bounding_box(mesh).diagonal()),
@@ -46,7 +49,7 @@ class Coarsener {
     for (const auto& component : edge_components(adjacency_)) {
       check_interrupt();
       const Reading reading = read(component);
-      (void)labels_.label(component, reading.first_old);  // the one that was found possible
+      (void)label(component, reading.first_old);  // the one that was found possible
       for (std::size_t i = 0; i < reading.old_vertices.size(); ++i)
         old_points[reading.old_vertices[i]] = reading.positions.points[i];
       result_.residual = std::max(result_.residual, reading.positions.residual);
@@ -56,13 +59,27 @@ class Coarsener {
   }
 
  private:
+  [[nodiscard]] bool of_triangles() const { return scheme_.split == Split::triangles; }
+  [[nodiscard]] std::string label(const std::vector<FaceId>& component, int first) {
+    return of_triangles() ? label_triangles(adjacency_, component, first, triangle_origins_)
+                          : labels_.label(component, first);
+  }
+  [[nodiscard]] const VertexOrigins& origins() const {
+    return of_triangles() ? triangle_origins_ : labels_.origins();
+  }
+  [[nodiscard]] Unsplit unsplit_faces(const std::vector<FaceId>& faces, bool all_vertices) const {
+    return of_triangles() ? unsplit_triangles(adjacency_, origins(), faces, all_vertices)
+                          : unsplit(adjacency_, origins(), faces, all_vertices);
+  }
+
   void require_possible() const {
     const Topology& t = mesh_.topology;
     bool boundary = false;
     for (int f = 0; f < t.num_faces(); ++f) {
-      if (t.face_size(FaceId(f)) != 4)
-        throw InputError("face {} has {} corners; a step of {} leaves quads only", f,
-                         t.face_size(FaceId(f)), scheme_.name);
+      if (t.face_size(FaceId(f)) != (of_triangles() ? 3 : 4))
+        throw InputError("face {} has {} corners; a step of {} leaves {} only", f,
+                         t.face_size(FaceId(f)), scheme_.name,
+                         of_triangles() ? "triangles" : "quads");
       for (const VertexId v : t.face(FaceId(f)))
         boundary = boundary || adjacency_.is_boundary(v);
     }
@@ -73,13 +90,13 @@ class Coarsener {
   }
 
   /// The best reading of a component: corner 0 of its first face old, as refine() numbers it, if
-  /// that fits, else the one that the positions fit best.
+  /// that fits, else the one (of triangles the fourth has the first face in the middle) that the positions fit best.
   Reading read(const std::vector<FaceId>& component) {
     std::optional<Reading> best;
     std::array<std::string, 4> reasons;
     for (int first_old = 0; first_old < 4; ++first_old) {
       auto& reason = reasons[static_cast<std::size_t>(first_old)];
-      reason = labels_.label(component, first_old);
+      reason = label(component, first_old);
       if (!reason.empty()) continue;
       auto reading = try_reading(component, first_old, reason);
       if (!reading) continue;
@@ -98,7 +115,7 @@ class Coarsener {
   std::optional<Reading> try_reading(const std::vector<FaceId>& component, int first_old,
                                      std::string& reason) const {
     try {
-      Unsplit coarse = unsplit(adjacency_, labels_.origins(), component, false);
+      Unsplit coarse = unsplit_faces(component, false);
       const Adjacency adjacency(coarse.topology);
       const CoarseTags tags = coarse_tags(coarse, adjacency);
       reason = tags.misfit;
@@ -108,12 +125,13 @@ class Coarsener {
         return Reading{first_old, std::move(coarse.old_vertex), std::move(positions), false};
       }
       const Features features = resolve_tags(adjacency, tags.tags, boundary_rule());
-      const ResidualBound bound =
-          residual_bound(adjacency_, coarse, adjacency, features, mesh_.points.span());
+      const ResidualBound bound = of_triangles() ? ResidualBound{}
+                                                 : residual_bound(adjacency_, coarse, adjacency,
+                                                                  features, mesh_.points.span());
       if (bound.distance > tolerance_ * size_)
         return Reading{first_old, {}, {{}, bound.distance, bound.worst, true}, true};
       CoarsePositions positions =
-          solve_positions(adjacency_, coarse, adjacency, features, mesh_.points.span());
+          solve_positions(adjacency_, coarse, adjacency, features, scheme_, mesh_.points.span());
       return Reading{first_old, std::move(coarse.old_vertex), std::move(positions), false};
     } catch (const InputError& error) {  // the coarse faces would make no surface
       reason = error.what();
@@ -154,7 +172,7 @@ class Coarsener {
 
   [[nodiscard]] CoarseTags coarse_tags(const Unsplit& coarse, const Adjacency& adjacency) const {
     CoarseTags result =
-        coarsen_tags(adjacency_, features_, sharpness_, labels_.origins(), coarse, adjacency);
+        coarsen_tags(adjacency_, features_, sharpness_, origins(), coarse, adjacency);
     result.tags.smooth_triangles = mesh_.tags.smooth_triangles;
     result.tags.boundary = mesh_.tags.boundary;
     if (mesh_.tags.boundary != BoundaryRule::edges_and_corners) return result;
@@ -170,7 +188,7 @@ class Coarsener {
     std::vector<FaceId> all;
     for (int f = 0; f < mesh_.topology.num_faces(); ++f)
       all.emplace_back(f);
-    const Unsplit coarse = unsplit(adjacency_, labels_.origins(), all, true);
+    const Unsplit coarse = unsplit_faces(all, true);
     Mesh& out = result_.mesh;
     out.topology = coarse.topology;
     for (const VertexId v : coarse.old_vertex)
@@ -223,7 +241,8 @@ class Coarsener {
   Adjacency adjacency_;
   Features features_;
   Sharpness sharpness_;
-  QuadrisectionLabels labels_;
+  QuadrisectionLabels labels_;      // of quads
+  VertexOrigins triangle_origins_;  // of triangles
   const Scheme& scheme_;
   RefineOptions refine_;
   double size_, tolerance_;
@@ -234,8 +253,9 @@ class Coarsener {
 
 CoarsenResult coarsen(const Mesh& mesh, const CoarsenOptions& options) {
   const Scheme& scheme = find_scheme(options.scheme);
-  if (scheme.name != "catmull-clark" && !(scheme.interpolatory && scheme.split == Split::quads))
-    throw UsageError("coarsening undoes catmull-clark and interpolatory schemes of quads, not {}",
+  const bool solved = scheme.name == "catmull-clark" || scheme.name == "loop";
+  if (!solved && !(scheme.interpolatory && is_quadrisection(scheme.split)))
+    throw UsageError("coarsening undoes catmull-clark, loop and interpolatory schemes, not {}",
                      scheme.name);
   return Coarsener(mesh, options).run();
 }

@@ -82,8 +82,8 @@ bool has_unique_positions(const Adjacency& adjacency, const Features& features) 
 
 CoarsePositions solve_positions(const Adjacency& fine, const Unsplit& coarse,
                                 const Adjacency& adjacency, const Features& features,
-                                std::span<const Vec3> fine_points) {
-  const RefinementStep step(adjacency, features, find_scheme("catmull-clark"));
+                                const Scheme& scheme, std::span<const Vec3> fine_points) {
+  const RefinementStep step(adjacency, features, scheme);
   const SparseMatrix S = step.matrix();
   const std::vector<VertexId> rows = rows_of(fine, coarse, adjacency);
   LIMES_ASSERT(static_cast<Eigen::Index>(rows.size()) == S.rows());
@@ -95,7 +95,8 @@ CoarsePositions solve_positions(const Adjacency& fine, const Unsplit& coarse,
     y.row(i) = (point(rows[static_cast<std::size_t>(i)]) - origin).transpose();
 
   CoarsePositions out;
-  out.unique = has_unique_positions(adjacency, features);
+  // Loop forgets nothing: the vertex rule keeps more than half of a vertex, see theory/coarsen.md.
+  out.unique = scheme.split != Split::quads || has_unique_positions(adjacency, features);
   const Points x = least_squares(S, y, out.unique);
   for (Eigen::Index i = 0; i < x.rows(); ++i)
     out.points.emplace_back(x.row(i).transpose() + origin);

@@ -17,10 +17,11 @@ struct CoarsePositions {
   bool unique;               ///< see has_unique_positions()
 };
 
-/// Least squares on S x = y with the Catmull-Clark operator S of the coarse mesh.
+/// Least squares on S x = y with the operator S of the coarse mesh, by catmull-clark or loop.
 /// @param fine_points  y, by fine vertex
 [[nodiscard]] CoarsePositions solve_positions(const Adjacency& fine, const Unsplit& coarse,
                                               const Adjacency& adjacency, const Features& features,
+                                              const Scheme& scheme,
                                               std::span<const Vec3> fine_points);
 
 /// The same for an interpolatory scheme, whose old vertices stay.
@@ -29,7 +30,7 @@ struct CoarsePositions {
                                              const Scheme& scheme,
                                              std::span<const Vec3> fine_points);
 
-/// Whether S has full column rank, for a connected mesh. Where S x = 0, the edge rule makes the ends
+/// Whether the S of catmull-clark has full column rank, for a connected mesh. Where S x = 0, the edge rule makes the ends
 /// of every edge opposite, x_b = -x_a; then the vertex rule leaves (n - 3)/n x at smooth vertices,
 /// x/2 on creases, x at corners. So exactly the meshes without boundary, crease vertices and
 /// corners whose vertices all have three edges, and whose edges can be walked in even loops only
