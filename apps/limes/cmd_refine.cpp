@@ -116,7 +116,7 @@ void RefineCommand::operator()() const {
   for (const std::string& text : remarks)
     remark(fmt::format("{}: {}", mesh.file.string(), text));
   if (fine.topology.num_faces() == 0)
-    throw InputError("{}: no face is left, for all touch the boundary", mesh.file.string());
+    throw InputError("{}: every face touches the boundary, no face is left", mesh.file.string());
   check_interrupt();
   save_mesh(output, fine);
 

@@ -52,8 +52,8 @@ TEST(Coarsen, UndoesKobbelt) {
                    3, "away from where refinement would put it");
   }
   expect_failure(
-      run_limes({"coarsen", data_file("cube.obj"), "-o", folder / "x.obj", "--scheme", "loop"}), 2,
-      "not loop");
+      run_limes({"coarsen", data_file("cube.obj"), "-o", folder / "x.obj", "--scheme", "sqrt3"}), 2,
+      "not sqrt3");
 }
 
 TEST(Coarsen, RefusesWhatIsNotRefined) {

@@ -84,11 +84,12 @@ TEST(Help, ShowsEveryOptionInItsGroup) {
   const Result result = run_limes({"refine", "--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* text : {"Usage: limes refine MESH -o FILE --scheme NAME --levels N [options]",
-                           "Files:", "Scheme:", "Running:", "--boundary RULE", "--limit",
-                           "--threads T", "--memory-limit SIZE", "--json", "--repair", "-h,--help"})
+  for (const char* text :
+       {"Usage: limes refine MESH -o FILE --scheme NAME --levels N [options]",
+        "Files:", "Scheme:", "Running:", "--boundary RULE", "--tension W", "--corners RULE",
+        "--limit", "--threads T", "--memory-limit SIZE", "--json", "--repair", "-h,--help"})
     EXPECT_NE(result.out.find(text), std::string::npos) << text;
-  EXPECT_EQ(result.out.find("--tension"), std::string::npos) << "no scheme has it yet";
+  EXPECT_EQ(result.out.find("--ring-pull"), std::string::npos) << "no scheme has it yet";
 }
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
