@@ -4,60 +4,36 @@
 #include <limits>
 
 #include "limes/core/error.h"
-#include "limes/core/interrupt.h"
-#include "limes/core/parallel.h"
-#include "limes/subdiv/crease.h"
 #include "limes/subdiv/quad_sides.h"
-#include "limes/subdiv/refined_features.h"
 
 namespace limes {
 
 bool StructuredRefinement::applies(const Topology& topology, const Features& features,
                                    const Scheme& scheme) {
-  if (features.sector_stencils) return false;
-  const bool varying = features.crease_method != CreaseMethod::uniform &&
-                       std::any_of(features.edges.begin(), features.edges.end(),
-                                   [](const SharpEdge& e) { return !is_infinite(e.sharpness); });
-  return topology.uniform_face_size() == 4 && !varying && regular_masks(scheme).has_value();
+  return topology.uniform_face_size() == 4 && can_follow(features) &&
+         regular_masks(scheme).has_value();
 }
 
 StructuredRefinement::StructuredRefinement(const Adjacency& control, const Features& features,
                                            const Scheme& scheme, int depth)
-    : control_(&control),
-      features_(features),
-      scheme_(&scheme),
+    : GridRefinement(control, features, scheme, depth),
       masks_(regular_masks(scheme).value()),
-      numbering_(depth),
-      rings_(control, features, scheme, depth) {
+      numbering_(depth) {
   LIMES_ASSERT(applies(control.topology(), features, scheme));
-  const Topology& topology = control.topology();
-  const Sharpness sharpness(control, features);
-  quads_.resize(static_cast<std::size_t>(topology.num_faces()));
+  quads_.resize(static_cast<std::size_t>(control.topology().num_faces()));
   number_runs();
-  number_sides(sharpness);
-  for_each_block(topology.num_faces(), 256, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t f = begin; f < end; ++f)
-      gather_grid(FaceId(f));
-  });
-  for (int ring = 0; ring < rings_.size(); ++ring)
-    place_ring(ring);
-  for (int v = 0; v < topology.num_vertices(); ++v)
-    if (!control.ring_start(VertexId(v)).valid()) unused_.push_back(VertexId(v));
-}
-
-int StructuredRefinement::num_faces() const {
-  return control_->topology().num_faces() << (2 * numbering_.depth());
+  number_sides(Sharpness(control, features));
+  gather_grids();
 }
 
 void StructuredRefinement::number_runs() {
   const std::int64_t faces = control_->topology().num_faces();
   std::int64_t vertices = control_->topology().num_vertices();
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  if (faces << (2 * numbering_.depth() + 2) > most)
+  if (faces << (2 * depth_ + 2) > most)
     throw InputError("refinement would have {} faces; at most {} can be numbered",
-                     faces << (2 * numbering_.depth()), most / 4);
-  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+                     faces << (2 * depth_), most / 4);
+  for (int birth = 1; birth <= depth_; ++birth) {
     const std::int64_t n = std::int64_t{1} << (birth - 1);
     const std::int64_t edges = control_->num_edges() * n + faces * 2 * n * (n - 1);
     if (vertices + edges + faces * n * n > most)
@@ -71,6 +47,7 @@ void StructuredRefinement::number_runs() {
 }
 
 void StructuredRefinement::number_sides(const Sharpness& sharpness) {
+  const auto make_rules = [&](float s, bool boundary) { return line_rules(*scheme_, s, boundary); };
   int sides = 0;
   for (int f = 0; f < control_->topology().num_faces(); ++f) {
     Quad& q = quads_[static_cast<std::size_t>(f)];
@@ -84,7 +61,7 @@ void StructuredRefinement::number_sides(const Sharpness& sharpness) {
         ++sides;
       }
       q.line[static_cast<std::size_t>(s)] =
-          line_of(sharpness.edge(control_->edge(h)), !twin.valid());
+          lines_.find(sharpness.edge(control_->edge(h)), !twin.valid(), depth_, make_rules);
     }
     auto& runs = runs_[q.owned];
     if (!runs) runs = std::make_unique<QuadRuns>(numbering_, q.owned);
@@ -129,28 +106,10 @@ void StructuredRefinement::gather_side(FaceId f, int side, Quad& q) const {
     slot(at.node(0) + outwards - at.direction()) = control_->from(control_->prev(opposite));
 }
 
-void StructuredRefinement::place_ring(int ring) {
-  const HalfedgeId start = control_->ring_start(rings_.vertex(ring));
-  int edge = 0;
-  for (HalfedgeId h = start; h.valid(); ++edge) {
-    const auto corner = static_cast<std::size_t>(control_->corner_index(h));
-    Quad& q = quads_[static_cast<std::size_t>(control_->face(h).value)];
-    q.ring[corner] = ring;
-    q.ring_edge[corner] = edge;
-    h = control_->ring_next(h);
-    if (h == start) break;
-  }
-}
-
-const StructuredRefinement::Line* StructuredRefinement::line_of(float sharpness, bool boundary) {
-  if (!is_sharp(sharpness)) return nullptr;
-  const auto [at, is_new] = lines_.try_emplace({sharpness, boundary});
-  Line& line = at->second;
-  if (!is_new) return &line;
-  for (float s = sharpness; is_sharp(s) && static_cast<int>(line.size()) < numbering_.depth();
-       s = decayed(s))
-    line.push_back(line_rules(*scheme_, s, boundary));
-  return &line;
+void StructuredRefinement::place_ring(FaceId f, int corner, int ring, int edge) {
+  Quad& q = quads_[static_cast<std::size_t>(f.value)];
+  q.ring[static_cast<std::size_t>(corner)] = ring;
+  q.ring_edge[static_cast<std::size_t>(corner)] = edge;
 }
 
 int StructuredRefinement::first_of_edge_run(FaceId f, int birth) const {
@@ -164,26 +123,15 @@ int StructuredRefinement::first_of_face_run(FaceId f, int birth) const {
   return first_face_vertex_[static_cast<std::size_t>(birth)] + f.value * n * n;
 }
 
-void StructuredRefinement::corners(std::span<VertexId> out) const {
-  LIMES_ASSERT(static_cast<std::int64_t>(out.size()) == std::int64_t{4} * num_faces());
-  const std::int64_t per_quad = std::int64_t{4} << (2 * numbering_.depth());
-  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t f = begin; f < end; ++f)
-      split_quad(FaceId(f), out.data() + f * per_quad);
-  });
-}
-
-void StructuredRefinement::split_quad(FaceId f, VertexId* out) const {
+void StructuredRefinement::split_face(FaceId f, VertexId* out) const {
   // The last step is written to its place, those before to two buffers in turn.
   constexpr std::size_t most = std::size_t{1} << (2 * QuadNumbering::max_depth);
   thread_local std::array<std::array<VertexId, most>, 2> buffers;
   const QuadRuns& r = runs(quad(f));
   const auto borrowed = borrowed_sides(f);
   const VertexId* corners = control_->topology().face(f).data();
-  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
-    VertexId* fine =
-        birth == numbering_.depth() ? out : buffers[static_cast<std::size_t>(birth % 2)].data();
+  for (int birth = 1; birth <= depth_; ++birth) {
+    VertexId* fine = birth == depth_ ? out : buffers[static_cast<std::size_t>(birth % 2)].data();
     kernel_->split(1 << (2 * birth - 2), corners, r.edge_ranks(birth).data(),
                    first_of_edge_run(f, birth), first_of_face_run(f, birth), fine);
     for (int s = 0; s < 4; ++s)
@@ -214,10 +162,6 @@ void StructuredRefinement::borrow_side(const QuadRuns::SideVertex* vertices,
   const std::uint16_t* rank = side.runs->side_ranks(birth, side.side) + n;  // in reverse order
   for (int k = 0; k < n; ++k, ++vertices)
     corners[vertices->first] = corners[vertices->second] = VertexId(first + *--rank);
-}
-
-Features StructuredRefinement::features() const {
-  return refined_features(*control_, features_, Split::quads, numbering_.depth());
 }
 
 }  // namespace limes

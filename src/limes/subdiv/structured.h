@@ -1,18 +1,16 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "limes/mesh/adjacency.h"
-#include "limes/subdiv/corner_rings.h"
 #include "limes/subdiv/grid_refinement.h"
 #include "limes/subdiv/quad_grid.h"
 #include "limes/subdiv/quad_kernel.h"
 #include "limes/subdiv/quad_runs.h"
+#include "limes/subdiv/sharp_lines.h"
 
 namespace limes {
 
@@ -41,18 +39,8 @@ class StructuredRefinement final : public GridRefinement {
   StructuredRefinement(const Adjacency& control, const Features& features, const Scheme& scheme,
                        int depth);
 
-  [[nodiscard]] int num_vertices() const override { return num_vertices_; }
-  [[nodiscard]] int num_faces() const override;
-  [[nodiscard]] int face_size() const override { return 4; }
-
-  void positions(std::span<const Vec3> control, std::span<Vec3> fine) override;
-  void update(std::span<const Vec3> control, std::span<const VertexId> moved,
-              std::span<Vec3> fine) override;
-  void corners(std::span<VertexId> out) const override;
-  [[nodiscard]] Features features() const override;
-
  private:
-  using Line = std::vector<LineRules>;  // by step; none where no longer sharp
+  using Line = SharpLines<LineRules>::Line;
   struct Quad {
     std::array<VertexId, 16> control;  // grid of one cell with its margin, row by row
     std::array<int, 4> ring;           // of the corners, -1: regular
@@ -70,10 +58,9 @@ class StructuredRefinement final : public GridRefinement {
   };
   void number_runs();
   void number_sides(const Sharpness& sharpness);
-  void gather_grid(FaceId f);
+  void gather_grid(FaceId f) override;
   void gather_side(FaceId f, int side, Quad& quad) const;
-  void place_ring(int ring);
-  [[nodiscard]] const Line* line_of(float sharpness, bool boundary);
+  void place_ring(FaceId f, int corner, int ring, int edge) override;
 
   [[nodiscard]] const Quad& quad(FaceId f) const {
     return quads_[static_cast<std::size_t>(f.value)];
@@ -82,31 +69,24 @@ class StructuredRefinement final : public GridRefinement {
   [[nodiscard]] int first_of_edge_run(FaceId f, int birth) const;
   [[nodiscard]] int first_of_face_run(FaceId f, int birth) const;
 
-  void refine_ring(int ring, std::span<const Vec3> control, std::span<Vec3> fine);
-  void refine_quad(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const;
+  void refine_face(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const override;
   void apply_lines(const Quad& q, int step, const QuadGrid& grid, QuadGrid& fine) const;
   void take_corners(const Quad& q, int step, QuadGrid& grid) const;
   void write_runs(FaceId f, const QuadGrid& grid, std::span<Vec3> fine) const;
   void write_corners(const Quad& q, const QuadGrid& grid, std::span<Vec3> fine) const;
-  void split_quad(FaceId f, VertexId* out) const;
+  void split_face(FaceId f, VertexId* out) const override;
   [[nodiscard]] std::array<BorrowedSide, 4> borrowed_sides(FaceId f) const;
   void borrow_side(const QuadRuns::SideVertex* vertices, const BorrowedSide& side, int birth,
                    VertexId* corners) const;
 
-  const Adjacency* control_;
-  Features features_;
-  const Scheme* scheme_;
   RegularMasks masks_;
   const QuadKernel* kernel_ = &QuadKernel::best();
   QuadNumbering numbering_;
-  CornerRings rings_;
   std::vector<Quad> quads_;
-  std::map<std::pair<float, bool>, Line> lines_;    // by sharpness and whether on the boundary
+  SharpLines<LineRules> lines_;
   std::array<std::unique_ptr<QuadRuns>, 16> runs_;  // by OwnedSides; only those that occur
   std::array<int, QuadNumbering::max_depth + 1> first_edge_vertex_{};  // by birth
   std::array<int, QuadNumbering::max_depth + 1> first_face_vertex_{};
-  std::vector<VertexId> unused_;  // control vertices without faces
-  int num_vertices_ = 0;
 };
 
 }  // namespace limes

@@ -1,9 +1,5 @@
-#include "limes/core/error.h"
-#include "limes/core/interrupt.h"
-#include "limes/core/parallel.h"
 #include "limes/subdiv/quad_sides.h"
 #include "limes/subdiv/structured.h"
-#include "limes/subdiv/surroundings.h"
 
 namespace limes {
 namespace {
@@ -34,29 +30,7 @@ void apply_line(const LineRules& rules, int side, const QuadGrid& coarse, QuadGr
 
 }  // namespace
 
-void StructuredRefinement::positions(std::span<const Vec3> control, std::span<Vec3> fine) {
-  LIMES_ASSERT(static_cast<int>(control.size()) == control_->topology().num_vertices());
-  LIMES_ASSERT(static_cast<int>(fine.size()) == num_vertices_);
-  for (const VertexId v : unused_)
-    fine[static_cast<std::size_t>(v.value)] = control[static_cast<std::size_t>(v.value)];
-  for_each_block(rings_.size(), 64, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t r = begin; r < end; ++r)
-      refine_ring(static_cast<int>(r), control, fine);
-  });
-  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t f = begin; f < end; ++f)
-      refine_quad(FaceId(f), control, fine);
-  });
-}
-
-void StructuredRefinement::refine_ring(int ring, std::span<const Vec3> control,
-                                       std::span<Vec3> fine) {
-  rings_.refine(ring, control, fine[static_cast<std::size_t>(rings_.vertex(ring).value)]);
-}
-
-void StructuredRefinement::refine_quad(FaceId f, std::span<const Vec3> control,
+void StructuredRefinement::refine_face(FaceId f, std::span<const Vec3> control,
                                        std::span<Vec3> fine) const {
   const Quad& q = quad(f);
   std::array<QuadGrid, 2> grids;
@@ -66,11 +40,11 @@ void StructuredRefinement::refine_quad(FaceId f, std::span<const Vec3> control,
   for (int k = 0; k < 16; ++k)
     grid->point(k % 4 - 1, k / 4 - 1) =
         Point4(control[static_cast<std::size_t>(q.control[static_cast<std::size_t>(k)].value)]);
-  for (int step = 1; step <= numbering_.depth(); ++step) {
+  for (int step = 1; step <= depth_; ++step) {
     kernel_->refine(masks_, grid->cells(), grid->points(), finer->points());
     finer->resize(2 * grid->cells());
     apply_lines(q, step, *grid, *finer);
-    if (step < numbering_.depth()) take_corners(q, step, *finer);
+    if (step < depth_) take_corners(q, step, *finer);
     std::swap(grid, finer);
   }
   write_runs(f, *grid, fine);
@@ -81,7 +55,7 @@ void StructuredRefinement::apply_lines(const Quad& q, int step, const QuadGrid& 
                                        QuadGrid& fine) const {
   for (int s = 0; s < 4; ++s) {
     const Line* line = q.line[static_cast<std::size_t>(s)];
-    const bool is_written = step < numbering_.depth() || ((q.owned >> s) & 1U) != 0;
+    const bool is_written = step < depth_ || ((q.owned >> s) & 1U) != 0;
     if (line && is_written && static_cast<std::size_t>(step) <= line->size())
       apply_line((*line)[static_cast<std::size_t>(step - 1)], s, grid, fine);
   }
@@ -112,7 +86,7 @@ void StructuredRefinement::write_runs(FaceId f, const QuadGrid& grid, std::span<
     kernel_->write(grid.points(), offsets, count, fine.data() + first);
     offsets += count;
   };
-  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+  for (int birth = 1; birth <= depth_; ++birth) {
     write(first_of_edge_run(f, birth), r.num_edges(birth));
     write(first_of_face_run(f, birth), 1 << (2 * birth - 2));
   }
@@ -127,23 +101,6 @@ void StructuredRefinement::write_corners(const Quad& q, const QuadGrid& grid,
     const VertexId v = q.control[static_cast<std::size_t>(4 * (first.j + 1) + first.i + 1)];
     grid.point(p.i, p.j).store(fine[static_cast<std::size_t>(v.value)]);
   }
-}
-
-void StructuredRefinement::update(std::span<const Vec3> control, std::span<const VertexId> moved,
-                                  std::span<Vec3> fine) {
-  for (const VertexId v : moved)
-    if (!control_->ring_start(v).valid())
-      fine[static_cast<std::size_t>(v.value)] = control[static_cast<std::size_t>(v.value)];
-  // What moves with a vertex: the rings at the corners of its faces, and all quads at these.
-  const std::vector<VertexId> near = surrounded_by(*control_, moved).vertices;
-  for (const VertexId v : near)
-    if (const int ring = rings_.ring_of(v); ring >= 0) refine_ring(ring, control, fine);
-  const std::vector<FaceId> faces = faces_around(*control_, near);
-  for_each_block(static_cast<std::int64_t>(faces.size()), 16,
-                 [&](std::int64_t begin, std::int64_t end) {
-                   for (std::int64_t i = begin; i < end; ++i)
-                     refine_quad(faces[static_cast<std::size_t>(i)], control, fine);
-                 });
 }
 
 }  // namespace limes

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "limes/subdiv/corner_rings.h"
 #include "limes/subdiv/grid_refinement.h"
+#include "limes/subdiv/sharp_lines.h"
 #include "limes/subdiv/triangle_grid.h"
 #include "limes/subdiv/triangle_kernel.h"
 #include "limes/subdiv/triangle_runs.h"
@@ -41,18 +39,8 @@ class StructuredTriangles final : public GridRefinement {
   StructuredTriangles(const Adjacency& control, const Features& features, const Scheme& scheme,
                       int depth);
 
-  [[nodiscard]] int num_vertices() const override { return num_vertices_; }
-  [[nodiscard]] int num_faces() const override;
-  [[nodiscard]] int face_size() const override { return 3; }
-
-  void positions(std::span<const Vec3> control, std::span<Vec3> fine) override;
-  void update(std::span<const Vec3> control, std::span<const VertexId> moved,
-              std::span<Vec3> fine) override;
-  void corners(std::span<VertexId> out) const override;
-  [[nodiscard]] Features features() const override;
-
  private:
-  using Line = std::vector<TriangleLineRules>;  // by step; none where no longer sharp
+  using Line = SharpLines<TriangleLineRules>::Line;
   struct Triangle {
     std::array<VertexId, 16> control;  // grid of one cell with its margin, line by line
     std::array<int, 3> ring;           // of the corners, -1: regular
@@ -66,10 +54,9 @@ class StructuredTriangles final : public GridRefinement {
   };
   void number_runs();
   void number_sides(const Sharpness& sharpness);
-  void gather_grid(FaceId f);
+  void gather_grid(FaceId f) override;
   void gather_corner(HalfedgeId h, int corner, Triangle& t) const;
-  void place_ring(int ring);
-  [[nodiscard]] const Line* line_of(float sharpness, bool boundary);
+  void place_ring(FaceId f, int corner, int ring, int edge) override;
 
   [[nodiscard]] const Triangle& triangle(FaceId f) const {
     return triangles_[static_cast<std::size_t>(f.value)];
@@ -77,30 +64,23 @@ class StructuredTriangles final : public GridRefinement {
   [[nodiscard]] const TriangleRuns& runs(const Triangle& t) const { return *runs_[t.owned]; }
   [[nodiscard]] int first_of_run(FaceId f, int birth) const;
 
-  void refine_ring(int ring, std::span<const Vec3> control, std::span<Vec3> fine);
-  void refine_triangle(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const;
+  void refine_face(FaceId f, std::span<const Vec3> control, std::span<Vec3> fine) const override;
   void apply_side(const Triangle& t, int side, int step, const TriangleGrid& grid,
                   TriangleGrid& fine) const;
   [[nodiscard]] int axis_on_side(const Triangle& t, int side, int step, int n, int along) const;
   void take_corners(const Triangle& t, int step, const TriangleGrid& coarse,
                     TriangleGrid& fine) const;
   void write_vertices(FaceId f, const TriangleGrid& grid, std::span<Vec3> fine) const;
-  void split_triangle(FaceId f, VertexId* out) const;
+  void split_face(FaceId f, VertexId* out) const override;
   void borrow_side(FaceId f, int side, int birth, VertexId* corners) const;
 
-  const Adjacency* control_;
-  Features features_;
-  const Scheme* scheme_;
   RegularTriangleMasks masks_;
   const TriangleKernel* kernel_ = &TriangleKernel::best();
   TriangleNumbering numbering_;
-  CornerRings rings_;
   std::vector<Triangle> triangles_;
-  std::map<std::pair<float, bool>, Line> lines_;       // by sharpness and whether on the boundary
+  SharpLines<TriangleLineRules> lines_;
   std::array<std::unique_ptr<TriangleRuns>, 8> runs_;  // by owned sides; only those that occur
   std::array<int, TriangleNumbering::max_depth + 1> first_vertex_{};  // by birth
-  std::vector<VertexId> unused_;  // control vertices without faces
-  int num_vertices_ = 0;
 };
 
 }  // namespace limes

@@ -1,8 +1,4 @@
-#include "limes/core/error.h"
-#include "limes/core/interrupt.h"
-#include "limes/core/parallel.h"
 #include "limes/subdiv/structured_triangles.h"
-#include "limes/subdiv/surroundings.h"
 #include "limes/subdiv/triangle_sides.h"
 
 namespace limes {
@@ -14,30 +10,8 @@ int offset_of(GridPoint p) {
 
 }  // namespace
 
-void StructuredTriangles::positions(std::span<const Vec3> control, std::span<Vec3> fine) {
-  LIMES_ASSERT(static_cast<int>(control.size()) == control_->topology().num_vertices());
-  LIMES_ASSERT(static_cast<int>(fine.size()) == num_vertices_);
-  for (const VertexId v : unused_)
-    fine[static_cast<std::size_t>(v.value)] = control[static_cast<std::size_t>(v.value)];
-  for_each_block(rings_.size(), 64, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t r = begin; r < end; ++r)
-      refine_ring(static_cast<int>(r), control, fine);
-  });
-  for_each_block(control_->topology().num_faces(), 16, [&](std::int64_t begin, std::int64_t end) {
-    check_interrupt();
-    for (std::int64_t f = begin; f < end; ++f)
-      refine_triangle(FaceId(f), control, fine);
-  });
-}
-
-void StructuredTriangles::refine_ring(int ring, std::span<const Vec3> control,
-                                      std::span<Vec3> fine) {
-  rings_.refine(ring, control, fine[static_cast<std::size_t>(rings_.vertex(ring).value)]);
-}
-
-void StructuredTriangles::refine_triangle(FaceId f, std::span<const Vec3> control,
-                                          std::span<Vec3> fine) const {
+void StructuredTriangles::refine_face(FaceId f, std::span<const Vec3> control,
+                                      std::span<Vec3> fine) const {
   const Triangle& t = triangle(f);
   std::array<TriangleGrid, 2> grids;
   TriangleGrid* grid = grids.data();
@@ -46,7 +20,7 @@ void StructuredTriangles::refine_triangle(FaceId f, std::span<const Vec3> contro
   for (int k = 0; k < 16; ++k)
     grid->point(k % 4 - 1, k / 4 - 1) =
         Point4(control[static_cast<std::size_t>(t.control[static_cast<std::size_t>(k)].value)]);
-  for (int step = 1; step <= numbering_.depth(); ++step) {
+  for (int step = 1; step <= depth_; ++step) {
     kernel_->refine(masks_, grid->cells(), numbering_.axes(step).data(), grid->points(),
                     finer->points());
     finer->resize(2 * grid->cells());
@@ -76,7 +50,7 @@ int StructuredTriangles::axis_on_side(const Triangle& t, int side, int step, int
 void StructuredTriangles::apply_side(const Triangle& t, int side, int step,
                                      const TriangleGrid& coarse, TriangleGrid& fine) const {
   const bool lent = t.lender[static_cast<std::size_t>(side)] >= 0;
-  if (lent && step == numbering_.depth()) return;  // nobody reads them
+  if (lent && step == depth_) return;  // nobody reads them
   const Line* line = t.line[static_cast<std::size_t>(side)];
   const bool sharp = line && static_cast<std::size_t>(step) <= line->size();
   if (!sharp && !lent) return;
@@ -118,7 +92,7 @@ void StructuredTriangles::take_corners(const Triangle& t, int step, const Triang
       *corner = regular_vertex(masks_, &coarse.point(before.i, before.j), axis);
       continue;
     }
-    if (step == numbering_.depth()) continue;  // the ring has written it
+    if (step == depth_) continue;  // the ring has written it
     *corner = rings_.position(ring, step);
     const auto put = [&](int by) {
       const int k = rings_.turned(ring, t.ring_edge[static_cast<std::size_t>(c)], by);
@@ -134,7 +108,7 @@ void StructuredTriangles::write_vertices(FaceId f, const TriangleGrid& grid,
                                          std::span<Vec3> fine) const {
   const Triangle& t = triangle(f);
   const std::uint16_t* offsets = runs(t).offsets().data();
-  for (int birth = 1; birth <= numbering_.depth(); ++birth) {
+  for (int birth = 1; birth <= depth_; ++birth) {
     const int count = runs(t).num_edges(birth);
     kernel_->write(grid.points(), offsets, count, fine.data() + first_of_run(f, birth));
     offsets += count;
@@ -146,23 +120,6 @@ void StructuredTriangles::write_vertices(FaceId f, const TriangleGrid& grid,
     grid.point(p.i, p.j).store(
         fine[static_cast<std::size_t>(corners[static_cast<std::size_t>(c)].value)]);
   }
-}
-
-void StructuredTriangles::update(std::span<const Vec3> control, std::span<const VertexId> moved,
-                                 std::span<Vec3> fine) {
-  for (const VertexId v : moved)
-    if (!control_->ring_start(v).valid())
-      fine[static_cast<std::size_t>(v.value)] = control[static_cast<std::size_t>(v.value)];
-  // What moves with a vertex: the rings at the corners of its faces, and all triangles at these.
-  const std::vector<VertexId> near = surrounded_by(*control_, moved).vertices;
-  for (const VertexId v : near)
-    if (const int ring = rings_.ring_of(v); ring >= 0) refine_ring(ring, control, fine);
-  const std::vector<FaceId> faces = faces_around(*control_, near);
-  for_each_block(static_cast<std::int64_t>(faces.size()), 16,
-                 [&](std::int64_t begin, std::int64_t end) {
-                   for (std::int64_t i = begin; i < end; ++i)
-                     refine_triangle(faces[static_cast<std::size_t>(i)], control, fine);
-                 });
 }
 
 }  // namespace limes
