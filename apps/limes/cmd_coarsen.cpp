@@ -28,11 +28,7 @@ struct CoarsenCommand {
 
 CoarsenResult coarsened(const Mesh& mesh, const CoarsenOptions& options, const std::string& file) {
   const Progress progress(fmt::format("coarsening {}", file));
-  try {
-    return coarsen(mesh, options);
-  } catch (const InputError& error) {
-    throw InputError("{}: {}", file, error.what());
-  }
+  return naming_file(file, [&] { return coarsen(mesh, options); });
 }
 
 void CoarsenCommand::operator()() const {

@@ -96,7 +96,7 @@ void add_study(CLI::App& program) {
   add_run_options(app, command->run);
   app.footer(
       "Studies so far: [approximation] of a graph or a sphere by the scheme kobbelt.\n\n"
-      "  limes study examples/graph.toml");
+      "  limes study data/graph_study.toml");
   app.final_callback([command] { (*command)(); });
 }
 

@@ -160,16 +160,6 @@ Value parse_name(const char* option, const std::string& name, const Named<Value>
   throw UsageError("{}: there is no rule {}; known are {}", option, quote(name), names);
 }
 
-BoundaryRule parse_boundary(const std::string& name) {
-  if (name == "none") return BoundaryRule::none;
-  if (name == "edges") return BoundaryRule::edges;
-  if (name == "edges-and-corners") return BoundaryRule::edges_and_corners;
-  throw UsageError(
-      "--boundary: there is no rule {}; known are none, edges, edges-and-corners, "
-      "biermann (of catmull-clark)",
-      quote(name));
-}
-
 QuasiOptions parse_quasi(const SchemeOptions& typed) {
   QuasiOptions quasi;
   if (!typed.boundary.empty())
@@ -188,11 +178,18 @@ QuasiOptions parse_quasi(const SchemeOptions& typed) {
   return quasi;
 }
 
-CornerRule parse_corners(const std::string& name) {
-  if (name == "auto") return CornerRule::by_angle;
-  if (name == "none") return CornerRule::none;
-  if (name == "all") return CornerRule::all;
-  throw UsageError("--corners: there is no rule {}; known are auto, none, all", quote(name));
+/// catmull-clark and loop; the last is catmull-clark's alone.
+void parse_boundary(const std::string& name, SchemeChoice& choice) {
+  choice.sector_stencils = name == "biermann" && choice.scheme->name == "catmull-clark";
+  if (choice.sector_stencils) {
+    choice.boundary = BoundaryRule::edges_and_corners;
+    return;
+  }
+  choice.boundary =
+      parse_name<BoundaryRule>("--boundary", name,
+                               {{"none", BoundaryRule::none},
+                                {"edges", BoundaryRule::edges},
+                                {"edges-and-corners", BoundaryRule::edges_and_corners}});
 }
 
 }  // namespace
@@ -210,12 +207,11 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
     choice.quasi = parse_quasi(options);
     return choice;
   }
-  choice.sector_stencils = options.boundary == "biermann" && scheme.name == "catmull-clark";
-  if (choice.sector_stencils)
-    choice.boundary = BoundaryRule::edges_and_corners;
-  else if (!options.boundary.empty())
-    choice.boundary = parse_boundary(options.boundary);
-  if (!options.corners.empty()) choice.corners = parse_corners(options.corners);
+  if (!options.boundary.empty()) parse_boundary(options.boundary, choice);
+  if (!options.corners.empty())
+    choice.corners = parse_name<CornerRule>(
+        "--corners", options.corners,
+        {{"auto", CornerRule::by_angle}, {"none", CornerRule::none}, {"all", CornerRule::all}});
   if (!options.tension.empty()) choice.tension = parse_tension(options.tension);
   return choice;
 }
@@ -225,7 +221,6 @@ void require_limit(const SchemeChoice& choice) {
     throw UsageError("--boundary: limits with rule biermann are not evaluated, only refined");
 }
 
-/// Up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
 double parse_tension(const std::string& text) {
   const double most = 2.0 * (std::sqrt(5.0) - 1.0);
   const auto number = parse_real(text);

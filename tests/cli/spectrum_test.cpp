@@ -84,6 +84,9 @@ TEST(RefineCommand, TellsMeshesFromCurves) {
   const std::string polygon = data_file("polygon.obj"), cube = data_file("cube.obj");
   expect_failure(run(polygon, "loop"), 3, "polylines and no faces");
   expect_failure(run(cube, "chaikin"), 3, "no polylines");
+  for (const char* option : {"--boundary", "--corners", "--tags", "--split", "--tension"})
+    expect_failure(run(polygon, "chaikin", {option, "1"}), 2,
+                   std::string(option) + ": chaikin has no such option");
   expect_failure(run(polygon, "lane-riesenfeld:0"), 2, "lane-riesenfeld");
   expect_failure(run(polygon, "chaikin", {"--tension", "1"}), 2, "--tension");
   expect_failure(run(polygon, "four-point", {"--tension", "9"}), 2, "--tension");

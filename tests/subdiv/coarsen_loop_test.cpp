@@ -104,6 +104,19 @@ TEST(CoarsenLoop, NumberingDoesNotMatter) {
   }
 }
 
+TEST(CoarsenLoop, ButterflyLosesItsNewVertices) {
+  const Scheme& butterfly = find_scheme("butterfly");
+  for (const Shape& shape : triangle_shapes()) {
+    if (!fits(butterfly, shape.mesh)) continue;
+    SCOPED_TRACE(shape.name);
+    const CoarsenResult result =
+        coarsen(refine(shape.mesh, butterfly, {.levels = 1}), {.scheme = "butterfly"});
+    EXPECT_EQ(result.mesh.topology, shape.mesh.topology);
+    EXPECT_EQ(result.mesh.points, shape.mesh.points);
+    EXPECT_EQ(result.residual, 0);
+  }
+}
+
 TEST(CoarsenLoop, RefusesWhatNoStepMakes) {
   EXPECT_THROW((void)coarsen(shapes::icosahedron(), {.scheme = "loop"}), InputError);
   Mesh fine = refined_by_loop(bumpy(shapes::icosahedron()));

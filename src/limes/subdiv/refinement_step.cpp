@@ -152,10 +152,8 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
 
 template <class Value>
 Value RefinementStep::face_point(FaceId f, std::span<const Value> coarse,
-                                 std::span<const Value> fine) const {
-  if (!features_->sector_stencils)
-    return fine[static_cast<std::size_t>(first_face_point().value) +
-                static_cast<std::size_t>(f.value)];
+                                 std::span<const Value> face_points) const {
+  if (!features_->sector_stencils) return face_points[static_cast<std::size_t>(f.value)];
   const auto corners = parent_->topology().face(f);
   Value sum = coarse[static_cast<std::size_t>(corners[0].value)];
   for (const VertexId v : corners.subspan(1))
@@ -169,8 +167,9 @@ void RefinementStep::apply_values(std::span<const Value> coarse, std::span<Value
   LIMES_ASSERT(static_cast<int>(fine.size()) == num_child_vertices());
   const int first_face = first_face_point().value;
   const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
+  const std::span<const Value> face_points = fine.subspan(static_cast<std::size_t>(first_face));
   const auto face_value = [&](std::int32_t f) -> Value {
-    return face_point<Value>(FaceId(f), coarse, fine);
+    return face_point<Value>(FaceId(f), coarse, face_points);
   };
   const auto run = [&](int first, int last) {
     for_each_block(last - first, 512, [&](std::int64_t begin, std::int64_t end) {
@@ -238,8 +237,10 @@ std::vector<VertexId> RefinementStep::update(std::span<const Vec3> coarse,
 
   const VertexId first_face = first_face_point();
   const auto old_value = [&](std::int32_t v) { return coarse[static_cast<std::size_t>(v)]; };
+  const std::span<const Vec3> face_points =
+      fine.subspan(static_cast<std::size_t>(first_face.value));
   const auto face_value = [&](std::int32_t f) -> Vec3 {
-    return face_point<Vec3>(FaceId(f), coarse, fine);
+    return face_point<Vec3>(FaceId(f), coarse, face_points);
   };
   NeighbourhoodWalk own_walk = walk();
   Stencil row;

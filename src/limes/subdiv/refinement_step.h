@@ -57,11 +57,11 @@ class RefinementStep {
   [[nodiscard]] VertexId first_face_point() const;
   [[nodiscard]] std::vector<VertexId> children_of(const SurroundedElements& elements) const;
   void stencil(NeighbourhoodWalk& walk, const ChildVertex& source, Stencil& out) const;
-  /// Value of a face point. They are read from `fine`, where those that rules read have been
-  /// written before, unless corners draw the vertices of faces elsewhere.
+  /// Value of a face point: read from the child, where it has been written before, unless corners draw
+  /// the vertices of faces elsewhere.
   template <class Value>
   [[nodiscard]] Value face_point(FaceId f, std::span<const Value> coarse,
-                                 std::span<const Value> fine) const;
+                                 std::span<const Value> face_points) const;
   template <class Value>
   void apply_values(std::span<const Value> coarse, std::span<Value> fine) const;
 
