@@ -1,6 +1,7 @@
 #include "limes/subdiv/neighbourhood.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "limes/subdiv/crease.h"
 
@@ -95,10 +96,12 @@ void NeighbourhoodWalk::collect_spokes(std::size_t i, HalfedgeId h) {
     if (!out.valid()) ids.ends.push_back(a.from(in));
     if (out == start) break;
   }
+  // Corners count on the boundary alone; an open net has copies there that the features do not know.
+  const bool boundary = a.is_boundary(centre);
   spokes_[i] = {centre,
-                a.is_boundary(centre),
-                is_infinite(sharpness_->vertex(centre)),
-                sharpness_->angle(centre),
+                boundary,
+                boundary && is_infinite(sharpness_->vertex(centre)),
+                boundary ? sharpness_->angle(centre) : std::numbers::pi,
                 first,
                 ids.ends,
                 ids.diagonals};

@@ -14,7 +14,7 @@ namespace limes {
 struct Spokes {
   VertexId centre;
   bool boundary;
-  bool corner;   ///< infinitely sharp
+  bool corner;   ///< an infinitely sharp boundary vertex
   double angle;  ///< of the surface at a boundary vertex, in radians; pi where not a corner
   int first;     ///< the edge that leads to the asking edge or face
   std::span<const VertexId> ends;       ///< other end of each edge
