@@ -45,7 +45,8 @@ Refined refined_step_by_step(const Mesh& mesh, const Features& features, const S
 }
 
 bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
+  if (a.size() != b.size()) return false;
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
 }
 
 /// As many levels as leave a mesh that is quickly refined, at most one more than grids can hold.
