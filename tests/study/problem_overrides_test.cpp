@@ -98,6 +98,7 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
       {"load.0.forse=[1, 2]", "--set load.0.forse: ", {"did you mean 'force'?"}},
       {"load.0.force.0=1", "--set load.0.force.0: ", {"the file has no 'force'"}},
       {"units.length.0=1", "--set units.length.0: ", {"there is no list"}},
+      {"title.a\nb=1", "--set title.a?b: ", {"there is no list whose entry 'a?b' could be set"}},
       {"material.0.where.0=1", "--set material.0.where.0: ", {"the file has no 'where'"}},
       {"load.0=1", "--set load.0: ", {"[[load]] is a table; name one of its keys"}},
       {"load.0.moment=[1, 2]", "--set load.0.moment: ", {"not available yet"}},

@@ -157,7 +157,8 @@ void Override::set_entry(toml::node& value) {
   toml::node* node = &value;
   for (;;) {
     toml::array* const list = node->as_array();
-    if (!list) fail(fmt::format("there is no list whose entry {} could be set", path_[next_]));
+    if (!list)
+      fail(fmt::format("there is no list whose entry {} could be set", quote(path_[next_])));
     const std::size_t i = index(list->size(), "the list");
     if (at_end()) {
       list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(i),
