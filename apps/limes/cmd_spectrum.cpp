@@ -179,9 +179,10 @@ void add_spectrum(CLI::App& program) {
   app.add_option("--tension", command->tension, "Of schemes that have one; any value [1]")
       ->option_text("W")
       ->group(scheme_group);
-  app.add_option("--valence", command->valences,
-                 "Number of edges at the vertex, as 5 or 3..12; doo-sabin and mid-edge: corners of "
-                 "the face")
+  app.add_option(
+         "--valence", command->valences,
+         "Number of edges at the vertex, as 5 or 3..12; of dual schemes (doo-sabin): corners of "
+         "the face")
       ->required()
       ->option_text("N or N..M (required)")
       ->group(work_group);

@@ -67,7 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
         ClosedForm{"loop", [](int n) { return 3.0 / 8 + std::cos(2 * pi / n) / 4; }, 3},
         // [doo_sabin_1978]: the weights are chosen for it
         ClosedForm{"doo-sabin", [](int) { return 0.5; }, 3},
-        // [zorin_schroeder_sweldens_1996]: likewise
+        // [zorin_schroeder_2001]: the means of two corners and of four, by the discrete Fourier transform
+        ClosedForm{"repeated-averaging", [](int n) { return 0.5 + std::cos(2 * pi / n) / 4; }, 3},
+        // [zorin_schroeder_sweldens_1996]: the weights are chosen for it
         ClosedForm{"butterfly", [](int) { return 0.5; }, 3},
         // [kobbelt_2000], two steps
         ClosedForm{"sqrt3", [](int n) { return (2 + 2 * std::cos(2 * pi / n)) / 9; }, 3},

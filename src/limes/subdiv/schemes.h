@@ -28,6 +28,9 @@ void linear_vertex(const VertexNeighbourhood& n, const RuleOptions& options, Ste
 void doo_sabin_corner(const FaceNeighbourhood& face, int corner, const RuleOptions& options,
                       Stencil& out);
 
+void repeated_averaging_corner(const FaceNeighbourhood& face, int corner,
+                               const RuleOptions& options, Stencil& out);
+
 void sqrt3_face(const FaceNeighbourhood& face, const RuleOptions& options, Stencil& out);
 void sqrt3_edge(const EdgeNeighbourhood& edge, const RuleOptions& options, Stencil& out);
 void sqrt3_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out);
