@@ -110,10 +110,10 @@ TEST_P(EveryScheme, MatrixAgreesWithApply) {
 }
 
 /// What a rule makes of a mesh that is 1 at one vertex and 0 elsewhere is a column of S, bit for bit. Only
-/// catmull-clark adds weights by way of face points, in another order than S: an ulp of 1.
+/// catmull-clark adds weights by way of face points, in another order than S: some ulps of 1.
 TEST_P(EveryScheme, MatrixHasTheBitsOfTheRules) {
   const double tolerance =
-      GetParam() == "catmull-clark" ? std::numeric_limits<double>::epsilon() : 0;
+      GetParam() == "catmull-clark" ? 4 * std::numeric_limits<double>::epsilon() : 0;
   on_every_shape([&](const Mesh& mesh) {
     const Step s(mesh, scheme());
     const Eigen::SparseMatrix<double, Eigen::ColMajor> S = s.step.matrix();
