@@ -1,0 +1,110 @@
+// Every scheme on the same three models.
+
+#include <fmt/core.h>
+
+#include "drawing.h"
+#include "limes/io/io.h"
+#include "limes/mesh/triangulate.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+#include "pictures.h"
+
+namespace gallery {
+
+using namespace limes;
+
+namespace {
+
+/// The same surface of triangles; tags, groups and parts are left out.
+Mesh triangulated(const Mesh& mesh) {
+  const Triangulation cut = triangulate(mesh.topology, mesh.points.span(), Cuts::new_edges);
+  std::vector<VertexId> corners;
+  for (const auto& triangle : cut.triangles)
+    for (const int v : triangle)
+      corners.emplace_back(v);
+  Mesh result;
+  result.topology = Topology(mesh.topology.num_vertices(), 3, std::move(corners));
+  result.points = mesh.points;
+  return result;
+}
+
+Mesh refined(const Mesh& mesh, const Scheme& scheme, int levels) {
+  return refine(mesh, scheme, {.levels = levels});
+}
+
+struct Start {
+  Mesh mesh;
+  std::string how;  ///< what was done to the model; empty: nothing
+};
+
+/// The model as the scheme can take it.
+Start start_for(const Scheme& scheme, const Mesh& model) {
+  const int corners = model.topology.uniform_face_size();
+  if (scheme.faces == FaceKind::triangles && corners != 3) {
+    Mesh cut = triangulated(model);
+    std::string how = fmt::format("cut into {} triangles, then ", cut.topology.num_faces());
+    return {std::move(cut), std::move(how)};
+  }
+  if (scheme.faces == FaceKind::quads && corners != 4) {
+    Mesh quads = refined(model, find_scheme("linear"), 1);
+    std::string how = fmt::format("split into {} quads, then ", quads.topology.num_faces());
+    return {std::move(quads), std::move(how)};
+  }
+  return {model, ""};
+}
+
+struct Refined {
+  Mesh mesh;
+  int levels = 0;
+};
+
+/// As many steps as keep within `most_faces`, as long as each adds a quarter of the faces at least.
+Refined refined_far(const Mesh& control, const Scheme& scheme, int most_faces) {
+  Refined best{control, 0};
+  for (int levels = 1;; ++levels) {
+    Mesh next = refined(control, scheme, levels);
+    const int before = best.mesh.topology.num_faces();
+    const int after = next.topology.num_faces();
+    if (after > most_faces || 4 * after < 5 * before) return best;
+    best = {std::move(next), levels};
+  }
+}
+
+struct Model {
+  std::string file, name;
+  View view;
+};
+
+FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
+  const Mesh control = read_mesh(settings.models / model.file).mesh;
+  const Scene control_picture = control_scene(control);
+  View view = model.view;
+  view.density = settings.density;
+  const Viewer viewer(control_picture, view);
+  FigureGrid grid{.columns = 3, .title = "Every scheme on the same control mesh: " + model.name};
+  grid.figures.push_back(viewer.figure(
+      control_picture, "control mesh",
+      fmt::format("{} faces, {} vertices", control.topology.num_faces(), control.points.size())));
+  for (const Scheme& scheme : all_schemes()) {
+    const Start start = start_for(scheme, control);
+    const Refined fine = refined_far(start.mesh, scheme, settings.most_faces);
+    grid.figures.push_back(viewer.figure(surface_scene(fine.mesh), std::string(scheme.name),
+                                         fmt::format("{}{} steps, {} faces", start.how, fine.levels,
+                                                     fine.mesh.topology.num_faces())));
+  }
+  return grid;
+}
+
+}  // namespace
+
+std::vector<Picture> scheme_pictures(const Settings& settings) {
+  const Model spot{"spot.obj", "Spot", {.direction = Vec3(0.8, -0.35, -1), .up = Vec3(0, 1, 0)}};
+  const Model tee{"pipe_tee.obj", "a pipe tee", {.direction = Vec3(-0.6, 0.7, -0.5)}};
+  const Model cat{
+      "cat_head.obj", "a cat's head", {.direction = Vec3(0.3, -0.2, -1), .up = Vec3(0, 1, 0)}};
+  return {{"gallery-spot", all_schemes_on(spot, settings)},
+          {"gallery-tee", all_schemes_on(tee, settings)},
+          {"gallery-cat", all_schemes_on(cat, settings)}};
+}
+
+}  // namespace gallery

@@ -1,0 +1,277 @@
+// Figures 5 to 11 of [velho_quasi48].
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "drawing.h"
+#include "limes/io/io.h"
+#include "limes/mesh/adjacency.h"
+#include "limes/mesh/shapes.h"
+#include "limes/mesh/triangulate.h"
+#include "limes/report/pictures.h"
+#include "limes/subdiv/quasi_four_eight.h"
+#include "pictures.h"
+
+namespace gallery {
+
+using namespace limes;
+
+namespace {
+
+Mesh from_triangles(std::vector<Vec3> points, const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<VertexId> corners;
+  for (const auto& triangle : triangles)
+    for (const int v : triangle)
+      corners.emplace_back(v);
+  Mesh mesh;
+  mesh.topology = Topology(static_cast<int>(points.size()), 3, std::move(corners));
+  mesh.points = IdArray<VertexId, Vec3>(std::move(points));
+  return mesh;
+}
+
+Mesh after(const Mesh& mesh, int steps, const QuasiSmoothingRules& rules = {}) {
+  return refine_quasi_four_eight(mesh, {.levels = steps, .rules = rules}).mesh;
+}
+
+std::string faces_after(const Mesh& mesh, int steps) {
+  return fmt::format("after {} step{}: {} triangles", steps, steps == 1 ? "" : "s",
+                     mesh.topology.num_faces());
+}
+
+/// Vertices inside the surface by their number of edges: those of a 4-8 mesh and all others.
+struct Valences {
+  std::vector<Vec3> four, eight, other;
+};
+Valences valences(const Mesh& mesh) {
+  const Adjacency adjacency(mesh.topology);
+  Valences result;
+  for (int v = 0; v < mesh.points.size(); ++v) {
+    if (adjacency.is_boundary(VertexId(v))) continue;
+    const int n = adjacency.valence(VertexId(v));
+    (n == 4   ? result.four
+     : n == 8 ? result.eight
+              : result.other)
+        .push_back(mesh.points[VertexId(v)]);
+  }
+  return result;
+}
+
+Markers valence_markers(std::vector<Vec3> points, double size, const Colour& fill) {
+  Markers markers;
+  markers.points = std::move(points);
+  markers.size = size;
+  markers.fill = fill;
+  markers.edge_width = 1;
+  return markers;
+}
+
+std::vector<LegendEntry> other_valence_legend() {
+  return {{"inner vertex with other than 4 or 8 edges", LegendEntry::Kind::marker, tag_colour}};
+}
+
+// Figures 5 to 8: plane polygons ------------------------------------------------------------------
+
+/// A regular n-gon on the unit circle as a fan of triangles; the middle is vertex 0.
+Mesh fan(int n) {
+  std::vector<Vec3> points{Vec3::Zero()};
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return from_triangles(std::move(points), triangles);
+}
+
+/// The inner edge to the right twice as long as the one to the left.
+Mesh stretched_hexagon() {
+  Mesh mesh = fan(6);
+  for (Vec3& x : mesh.points)
+    if (x.x() > 1e-9) x.x() *= 2;
+  return mesh;
+}
+
+/// Radii of the corners in [1 - amplitude, 1 + amplitude], from a fixed seed.
+Mesh perturbed_hexagon(double amplitude) {
+  Mesh mesh = fan(6);
+  std::mt19937 random(7);
+  for (int v = 1; v <= 6; ++v) {
+    const double unit = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    mesh.points[VertexId(v)] *= 1 + amplitude * (2 * unit - 1);
+  }
+  return mesh;
+}
+
+Figure fan_figure(const Mesh& control, int steps, const std::string& title, double density) {
+  const Mesh mesh = after(control, steps);
+  Scene scene;
+  scene.lines.push_back(edge_lines(mesh.topology, mesh.points.span()));
+  scene.lines.back().width = 0.8;
+  scene.markers.push_back(valence_markers(valences(mesh).other, 8, tag_colour));
+  Figure figure = plane_figure(scene, {.size = {280, 260}, .density = density}, title, "");
+  figure.caption = fmt::format("{}; the middle has {} edges", faces_after(mesh, steps),
+                               Adjacency(mesh.topology).valence(VertexId(0)));
+  figure.legend = other_valence_legend();
+  return figure;
+}
+
+FigureGrid fans(const Settings& settings) {
+  FigureGrid grid{.columns = 4, .title = "Plane polygons under quasi-four-eight"};
+  const auto add = [&](const Mesh& control, int steps, const std::string& title) {
+    grid.figures.push_back(fan_figure(control, settings.steps(steps), title, settings.density));
+  };
+  for (const int n : {3, 4, 5, 6})
+    add(fan(n), 6, fmt::format("Fig. 5{}: {} corners", "abcd"[n - 3], n));
+  add(stretched_hexagon(), 0, "Fig. 6a: right half stretched");
+  add(stretched_hexagon(), 6, "Fig. 6b");
+  add(perturbed_hexagon(0.1), 6, "Fig. 7a: radii within 0.1");
+  add(perturbed_hexagon(0.3), 6, "Fig. 7b: radii within 0.3");
+  add(fan(12), 1, "Fig. 8a: 12 corners");
+  add(fan(12), 5, "Fig. 8b");
+  add(fan(9), 1, "Fig. 8c: 9 corners");
+  add(fan(9), 5, "Fig. 8d");
+  return grid;
+}
+
+// Figure 9: a torus -------------------------------------------------------------------------------
+
+Scene torus_scene(const Mesh& mesh) {
+  Scene scene = control_scene(mesh);
+  const Valences at = valences(mesh);
+  scene.markers.push_back(valence_markers(at.four, 6, palette::paper));
+  scene.markers.push_back(valence_markers(at.eight, 6, palette::ink));
+  scene.markers.push_back(valence_markers(at.other, 7, tag_colour));
+  return scene;
+}
+
+std::vector<LegendEntry> torus_legend() {
+  std::vector<LegendEntry> legend{{"4 edges", LegendEntry::Kind::marker, palette::paper},
+                                  {"8 edges", LegendEntry::Kind::marker, palette::ink}};
+  legend.push_back({"another number", LegendEntry::Kind::marker, tag_colour});
+  return legend;
+}
+
+FigureGrid torus(const Settings& settings) {
+  const Mesh quads = shapes::torus(8, 6);
+  const Triangulation cut = triangulate(quads.topology, quads.points.span(), Cuts::new_edges);
+  const Mesh control = from_triangles(quads.points.vector(), cut.triangles);
+  const Scene first = torus_scene(control);
+  const Viewer viewer(first, {.size = {300, 220}, .density = settings.density});
+  FigureGrid grid{.columns = 3, .title = "A torus becomes a regular 4-8 mesh"};
+  for (const int wanted : {0, 2, 4}) {
+    const int steps = settings.steps(wanted);
+    const Mesh mesh = after(control, steps);
+    const Valences at = valences(mesh);
+    grid.figures.push_back(viewer.figure(
+        torus_scene(mesh), fmt::format("Fig. 9{}", "abc"[wanted / 2]),
+        fmt::format("{}; {} vertices with 4, {} with 8 edges, {} others", faces_after(mesh, steps),
+                    at.four.size(), at.eight.size(), at.other.size())));
+    grid.figures.back().legend = torus_legend();
+  }
+  return grid;
+}
+
+// Figure 10: a head -------------------------------------------------------------------------------
+
+FigureGrid head(const Settings& settings) {
+  const Mesh control = read_mesh(settings.models / "nefertiti.off").mesh;
+  const Viewer viewer(
+      control_scene(control),
+      {.direction = Vec3(1, 0.5, -0.2), .size = {300, 380}, .density = settings.density});
+  FigureGrid grid{.columns = 3, .title = "A head under quasi-four-eight"};
+  const auto add = [&](const Scene& scene, const char* title, const std::string& caption) {
+    grid.figures.push_back(viewer.figure(scene, title, caption));
+  };
+  add(control_scene(control), "Fig. 10a: control mesh",
+      fmt::format("{} triangles", control.topology.num_faces()));
+  const Mesh two = after(control, settings.steps(2));
+  add(control_scene(two), "Fig. 10b", faces_after(two, settings.steps(2)));
+  const Mesh nine = after(control, settings.steps(9));
+  Scene flat;
+  flat.surfaces.push_back(surface_of(nine, Normals::facets));
+  add(flat, "Fig. 10c: flat shading", faces_after(nine, settings.steps(9)));
+  return grid;
+}
+
+// Figure 11: a box with two open sides -------------------------------------------------------------
+
+/// Four sides of a cube, axis z.
+Mesh open_box() {
+  return from_triangles(
+      {{1, 1, 0},
+       {-1, 1, 0},
+       {-1, -1, 0},
+       {1, -1, 0},
+       {1, 1, 2},
+       {-1, 1, 2},
+       {-1, -1, 2},
+       {1, -1, 2}},
+      {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
+}
+
+CreaseTag sharp(int a, int b) {
+  return {VertexId(a), VertexId(b), infinite_sharpness};
+}
+
+Mesh box_with_tagged_boundary() {
+  Mesh box = open_box();
+  for (int i = 0; i < 4; ++i) {
+    box.tags.creases.push_back(sharp(i, (i + 1) % 4));
+    box.tags.creases.push_back(sharp(4 + i, 4 + (i + 1) % 4));
+  }
+  for (int v = 0; v < 8; ++v)
+    box.tags.corners.push_back({VertexId(v), infinite_sharpness});
+  return box;
+}
+
+Mesh box_with_tagged_edge() {
+  Mesh box = open_box();
+  box.tags.creases.push_back(sharp(3, 7));
+  return box;
+}
+
+FigureGrid box(const Settings& settings) {
+  const int steps = settings.steps(10);
+  const View view{
+      .direction = Vec3(-0.6, 0.8, -0.75), .size = {290, 290}, .density = settings.density};
+  const Viewer viewer(control_scene(open_box()), view);
+  FigureGrid grid{.columns = 3, .title = "A box with two open sides: what tags do"};
+  const auto add = [&](const Mesh& mesh, const Scene& scene, const char* title, const char* what) {
+    grid.figures.push_back(viewer.figure(
+        scene, title, fmt::format("{}; {} triangles", what, mesh.topology.num_faces())));
+    grid.figures.back().legend = tag_legend(mesh);
+  };
+  const Mesh boundary = box_with_tagged_boundary();
+  const Mesh edge = box_with_tagged_edge();
+  const QuasiSmoothingRules curves{QuasiBoundary::curve, QuasiTags::curves};
+  const auto add_refined = [&](const Mesh& control, const QuasiSmoothingRules& rules,
+                               const char* title, const char* what) {
+    const Mesh mesh = after(control, steps, rules);
+    Scene scene = surface_scene(mesh);
+    scene.markers.clear();
+    scene.markers.push_back(tagged_vertices(control));
+    add(mesh, scene, title, what);
+    grid.figures.back().legend = tag_legend(control);
+  };
+  add(boundary, control_scene(boundary), "Fig. 11a with the tags of b", "control mesh");
+  add_refined(boundary, {}, "Fig. 11b: boundary tagged", "tags held");
+  add_refined(open_box(), {}, "without tags", "boundary moves along the normal");
+  add(edge, control_scene(edge), "Fig. 11a with the tag of c", "control mesh");
+  add_refined(edge, {}, "Fig. 11c: one inner edge tagged", "boundary moves along the normal");
+  add_refined(edge, curves, "the same with --boundary curve --tags curves", "boundary a B-spline");
+  return grid;
+}
+
+}  // namespace
+
+std::vector<Picture> velho_pictures(const Settings& settings) {
+  return {{"gallery-fans", fans(settings)},
+          {"gallery-torus", torus(settings)},
+          {"gallery-head", head(settings)},
+          {"gallery-box", box(settings)}};
+}
+
+}  // namespace gallery
