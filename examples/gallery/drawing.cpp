@@ -52,7 +52,9 @@ Surface surface_of(const Mesh& mesh, Normals normals) {
   Surface surface;
   surface.points = mesh.points.vector();
   surface.triangles = triangulate(mesh.topology, mesh.points.span()).triangles;
-  return normals == Normals::facets ? surface : smoothly_shaded(surface);
+  if (normals == Normals::smooth) surface = smoothly_shaded(surface);
+  surface.colour = mix(palette::clay, palette::paper, 0.35F);
+  return surface;
 }
 
 Lines tagged_edges(const Mesh& mesh) {

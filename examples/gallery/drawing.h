@@ -40,7 +40,7 @@ struct View {
   limes::Vec3 direction = limes::default_direction();
   limes::Vec3 up = limes::Vec3(0, 0, 1);
   limes::PictureSize size{280, 280};
-  double density = 1.5;
+  double density = 1.2;
 };
 
 /// A view of several scenes: the camera has the first one tightly in the picture.

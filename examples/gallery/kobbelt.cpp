@@ -31,8 +31,10 @@ Mesh leaf() {
   for (Vec3& x : mesh.points) {
     const double along = (x.x() + x.y()) / 4 - 1;  // -1 and 1 at the tips
     const double across = (x.x() - x.y()) / 4;
-    x = Vec3(1.9 * along, 1.5 * across * (1 + std::abs(along)),
-             0.5 * (1 - along * along) - 0.9 * across * across);
+    const double width = 1 - std::abs(along);  // |across| there
+    const double rim = width > 0 ? across / width : 1;
+    x = Vec3(1.9 * along, 1.4 * across * (1 + std::abs(along)),
+             0.3 * along * along + 0.55 * (1 - along * along) * (1 - rim * rim));
   }
   return mesh;
 }
@@ -84,6 +86,10 @@ Markers breakpoints(const Mesh& fine) {
   return markers;
 }
 
+LegendEntry control_vertex_legend() {
+  return {"control vertex", LegendEntry::Kind::marker, control_colour};
+}
+
 struct Feature {
   std::string name;
   Mesh control;
@@ -93,7 +99,7 @@ struct Feature {
 FigureGrid sharp_features(const Settings& settings) {
   const std::vector<Feature> features{
       {"piecewise smooth boundary", leaf(), Vec3(-0.45, 0.75, -0.8)},
-      {"crease", roof(), Vec3(-0.75, 0.6, -0.55)},
+      {"crease", roof(), Vec3(-0.5, 0.75, -0.7)},
       {"cusp", dome(), Vec3(-0.5, 0.8, -0.3)}};
   FigureGrid grid{.columns = 3, .title = "Sharp features of interpolatory surfaces (Fig. 5)"};
   std::vector<Figure> below;
@@ -112,7 +118,7 @@ FigureGrid sharp_features(const Settings& settings) {
         through, "",
         fmt::format("after {} steps: {} quads", settings.steps(4), fine.topology.num_faces())));
     below.back().legend = {
-        {"control vertex", LegendEntry::Kind::marker, control_colour},
+        control_vertex_legend(),
         {"breakpoint", LegendEntry::Kind::marker, tag_colour, MarkerShape::diamond}};
     if (!feature.control.tags.creases.empty()) {
       below.back().legend.push_back(tag_legend(feature.control).front());
@@ -141,6 +147,7 @@ FigureGrid complex_shape(const Settings& settings) {
   add(first, control, "control net");
   add(control_scene(twice), twice, "refined twice");
   add(smooth, fine, "refined four times");
+  grid.figures.back().legend = {control_vertex_legend()};
   return grid;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <optional>
+
 #include "drawing.h"
 #include "limes/io/io.h"
 #include "limes/mesh/triangulate.h"
@@ -53,9 +55,18 @@ Start start_for(const Scheme& scheme, const Mesh& model) {
   return {model, ""};
 }
 
+/// What schemes start from that cannot take the model: of triangle schemes, or else of quad schemes.
+Mesh mesh_for_others(const Mesh& model) {
+  const Mesh triangles = start_for(find_scheme("loop"), model).mesh;
+  return triangles.topology == model.topology ? start_for(find_scheme("kobbelt"), model).mesh
+                                              : triangles;
+}
+
 struct Refined {
   Mesh mesh;
   int levels = 0;
+  /// Faces after one step more, if that adds hardly any or takes some away.
+  std::optional<int> next = {};
 };
 
 /// As many steps as keep within `most_faces`, as long as each adds a quarter of the faces at least.
@@ -65,9 +76,22 @@ Refined refined_far(const Mesh& control, const Scheme& scheme, int most_faces) {
     Mesh next = refined(control, scheme, levels);
     const int before = best.mesh.topology.num_faces();
     const int after = next.topology.num_faces();
-    if (after > most_faces || 4 * after < 5 * before) return best;
+    if (after > most_faces) return best;
+    if (4 * after < 5 * before) return {std::move(best.mesh), best.levels, after};
     best = {std::move(next), levels};
   }
+}
+
+std::string caption(const Start& start, const Refined& fine) {
+  return fmt::format("{}{} steps, {} faces{}", start.how, fine.levels,
+                     fine.mesh.topology.num_faces(),
+                     fine.next ? fmt::format("; another step leaves {}", *fine.next) : "");
+}
+
+/// Without the breakpoints that kobbelt found: the models have no tags.
+Mesh without_tags(Mesh mesh) {
+  mesh.tags = {};
+  return mesh;
 }
 
 struct Model {
@@ -88,18 +112,23 @@ FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
   for (const Scheme& scheme : all_schemes()) {
     const Start start = start_for(scheme, control);
     const Refined fine = refined_far(start.mesh, scheme, settings.most_faces);
-    grid.figures.push_back(viewer.figure(surface_scene(fine.mesh), std::string(scheme.name),
-                                         fmt::format("{}{} steps, {} faces", start.how, fine.levels,
-                                                     fine.mesh.topology.num_faces())));
+    grid.figures.push_back(viewer.figure(surface_scene(without_tags(fine.mesh)),
+                                         std::string(scheme.name), caption(start, fine)));
   }
+  const Mesh changed = mesh_for_others(control);
+  grid.figures.push_back(viewer.figure(
+      control_scene(changed),
+      changed.topology.uniform_face_size() == 3 ? "cut for triangle schemes" : "split for kobbelt",
+      fmt::format("{} faces", changed.topology.num_faces())));
   return grid;
 }
 
 }  // namespace
 
 std::vector<Picture> scheme_pictures(const Settings& settings) {
-  const Model spot{"spot.obj", "Spot", {.direction = Vec3(0.8, -0.35, -1), .up = Vec3(0, 1, 0)}};
-  const Model tee{"pipe_tee.obj", "a pipe tee", {.direction = Vec3(-0.6, 0.7, -0.5)}};
+  const Model spot{"spot.obj", "Spot", {.direction = Vec3(-0.8, -0.35, 1), .up = Vec3(0, 1, 0)}};
+  const Model tee{
+      "pipe_tee.obj", "a pipe tee", {.direction = Vec3(0.4, -0.8, 0.55), .up = Vec3(-1, 0, 0)}};
   const Model cat{
       "cat_head.obj", "a cat's head", {.direction = Vec3(0.3, -0.2, -1), .up = Vec3(0, 1, 0)}};
   return {{"gallery-spot", all_schemes_on(spot, settings)},

@@ -37,7 +37,8 @@ Mesh after(const Mesh& mesh, int steps, const QuasiSmoothingRules& rules = {}) {
 }
 
 std::string faces_after(const Mesh& mesh, int steps) {
-  return fmt::format("after {} step{}: {} triangles", steps, steps == 1 ? "" : "s",
+  if (steps == 0) return fmt::format("control mesh: {} triangles", mesh.topology.num_faces());
+  return fmt::format("{} step{}: {} triangles", steps, steps == 1 ? "" : "s",
                      mesh.topology.num_faces());
 }
 
@@ -69,7 +70,7 @@ Markers valence_markers(std::vector<Vec3> points, double size, const Colour& fil
 }
 
 std::vector<LegendEntry> other_valence_legend() {
-  return {{"inner vertex with other than 4 or 8 edges", LegendEntry::Kind::marker, tag_colour}};
+  return {{"inner vertex of a valence other than 4 and 8", LegendEntry::Kind::marker, tag_colour}};
 }
 
 // Figures 5 to 8: plane polygons ------------------------------------------------------------------
@@ -112,7 +113,7 @@ Figure fan_figure(const Mesh& control, int steps, const std::string& title, doub
   scene.lines.back().width = 0.8;
   scene.markers.push_back(valence_markers(valences(mesh).other, 8, tag_colour));
   Figure figure = plane_figure(scene, {.size = {280, 260}, .density = density}, title, "");
-  figure.caption = fmt::format("{}; the middle has {} edges", faces_after(mesh, steps),
+  figure.caption = fmt::format("{}; valence {} in the middle", faces_after(mesh, steps),
                                Adjacency(mesh.topology).valence(VertexId(0)));
   figure.legend = other_valence_legend();
   return figure;
@@ -140,17 +141,18 @@ FigureGrid fans(const Settings& settings) {
 
 Scene torus_scene(const Mesh& mesh) {
   Scene scene = control_scene(mesh);
+  const double size = mesh.points.size() < 500 ? 7 : 5;
   const Valences at = valences(mesh);
-  scene.markers.push_back(valence_markers(at.four, 6, palette::paper));
-  scene.markers.push_back(valence_markers(at.eight, 6, palette::ink));
-  scene.markers.push_back(valence_markers(at.other, 7, tag_colour));
+  scene.markers.push_back(valence_markers(at.four, size, palette::paper));
+  scene.markers.push_back(valence_markers(at.eight, size, palette::ink));
+  scene.markers.push_back(valence_markers(at.other, size, tag_colour));
   return scene;
 }
 
 std::vector<LegendEntry> torus_legend() {
-  std::vector<LegendEntry> legend{{"4 edges", LegendEntry::Kind::marker, palette::paper},
-                                  {"8 edges", LegendEntry::Kind::marker, palette::ink}};
-  legend.push_back({"another number", LegendEntry::Kind::marker, tag_colour});
+  std::vector<LegendEntry> legend{{"valence 4", LegendEntry::Kind::marker, palette::paper},
+                                  {"valence 8", LegendEntry::Kind::marker, palette::ink}};
+  legend.push_back({"another valence", LegendEntry::Kind::marker, tag_colour});
   return legend;
 }
 
@@ -159,7 +161,9 @@ FigureGrid torus(const Settings& settings) {
   const Triangulation cut = triangulate(quads.topology, quads.points.span(), Cuts::new_edges);
   const Mesh control = from_triangles(quads.points.vector(), cut.triangles);
   const Scene first = torus_scene(control);
-  const Viewer viewer(first, {.size = {300, 220}, .density = settings.density});
+  const Viewer viewer(
+      first,
+      {.direction = Vec3(-0.55, 0.75, -0.55), .size = {300, 220}, .density = settings.density});
   FigureGrid grid{.columns = 3, .title = "A torus becomes a regular 4-8 mesh"};
   for (const int wanted : {0, 2, 4}) {
     const int steps = settings.steps(wanted);
@@ -167,7 +171,7 @@ FigureGrid torus(const Settings& settings) {
     const Valences at = valences(mesh);
     grid.figures.push_back(viewer.figure(
         torus_scene(mesh), fmt::format("Fig. 9{}", "abc"[wanted / 2]),
-        fmt::format("{}; {} vertices with 4, {} with 8 edges, {} others", faces_after(mesh, steps),
+        fmt::format("{}; {} vertices of valence 4, {} of 8, {} others", faces_after(mesh, steps),
                     at.four.size(), at.eight.size(), at.other.size())));
     grid.figures.back().legend = torus_legend();
   }
@@ -178,9 +182,10 @@ FigureGrid torus(const Settings& settings) {
 
 FigureGrid head(const Settings& settings) {
   const Mesh control = read_mesh(settings.models / "nefertiti.off").mesh;
-  const Viewer viewer(
-      control_scene(control),
-      {.direction = Vec3(1, 0.5, -0.2), .size = {300, 380}, .density = settings.density});
+  const Viewer viewer(control_scene(control), {.direction = Vec3(0.45, 0.15, -1),
+                                               .up = Vec3(0, 1, 0),
+                                               .size = {300, 380},
+                                               .density = settings.density});
   FigureGrid grid{.columns = 3, .title = "A head under quasi-four-eight"};
   const auto add = [&](const Scene& scene, const char* title, const std::string& caption) {
     grid.figures.push_back(viewer.figure(scene, title, caption));
@@ -236,7 +241,7 @@ Mesh box_with_tagged_edge() {
 FigureGrid box(const Settings& settings) {
   const int steps = settings.steps(10);
   const View view{
-      .direction = Vec3(-0.6, 0.8, -0.75), .size = {290, 290}, .density = settings.density};
+      .direction = Vec3(-0.55, 0.85, -0.6), .size = {290, 290}, .density = settings.density};
   const Viewer viewer(control_scene(open_box()), view);
   FigureGrid grid{.columns = 3, .title = "A box with two open sides: what tags do"};
   const auto add = [&](const Mesh& mesh, const Scene& scene, const char* title, const char* what) {
@@ -258,10 +263,10 @@ FigureGrid box(const Settings& settings) {
   };
   add(boundary, control_scene(boundary), "Fig. 11a with the tags of b", "control mesh");
   add_refined(boundary, {}, "Fig. 11b: boundary tagged", "tags held");
-  add_refined(open_box(), {}, "without tags", "boundary moves along the normal");
+  add_refined(open_box(), {}, "without tags", "boundary along the normal");
   add(edge, control_scene(edge), "Fig. 11a with the tag of c", "control mesh");
-  add_refined(edge, {}, "Fig. 11c: one inner edge tagged", "boundary moves along the normal");
-  add_refined(edge, curves, "the same with --boundary curve --tags curves", "boundary a B-spline");
+  add_refined(edge, {}, "Fig. 11c: one inner edge tagged", "boundary along the normal");
+  add_refined(edge, curves, "tags as curves", "--boundary curve --tags curves");
   return grid;
 }
 
