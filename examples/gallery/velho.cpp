@@ -9,8 +9,6 @@
 #include "drawing.h"
 #include "limes/io/io.h"
 #include "limes/mesh/adjacency.h"
-#include "limes/mesh/shapes.h"
-#include "limes/mesh/triangulate.h"
 #include "limes/report/pictures.h"
 #include "limes/subdiv/quasi_four_eight.h"
 #include "pictures.h"
@@ -110,10 +108,10 @@ Figure fan_figure(const Mesh& control, int steps, const std::string& title, doub
   const Mesh mesh = after(control, steps);
   Scene scene;
   scene.lines.push_back(edge_lines(mesh.topology, mesh.points.span()));
-  scene.lines.back().width = 0.8;
+  scene.lines.back().width = 1.0;
   scene.markers.push_back(valence_markers(valences(mesh).other, 8, tag_colour));
   Figure figure = plane_figure(scene, {.size = {280, 260}, .density = density}, title, "");
-  figure.caption = fmt::format("{}; valence {} in the middle", faces_after(mesh, steps),
+  figure.caption = fmt::format("{}; middle valence {}", faces_after(mesh, steps),
                                Adjacency(mesh.topology).valence(VertexId(0)));
   figure.legend = other_valence_legend();
   return figure;
@@ -157,9 +155,7 @@ std::vector<LegendEntry> torus_legend() {
 }
 
 FigureGrid torus(const Settings& settings) {
-  const Mesh quads = shapes::torus(8, 6);
-  const Triangulation cut = triangulate(quads.topology, quads.points.span(), Cuts::new_edges);
-  const Mesh control = from_triangles(quads.points.vector(), cut.triangles);
+  const Mesh control = read_mesh(settings.models / "torus.obj").mesh;
   const Scene first = torus_scene(control);
   const Viewer viewer(
       first,
@@ -203,54 +199,24 @@ FigureGrid head(const Settings& settings) {
 
 // Figure 11: a box with two open sides -------------------------------------------------------------
 
-/// Four sides of a cube, axis z.
-Mesh open_box() {
-  return from_triangles(
-      {{1, 1, 0},
-       {-1, 1, 0},
-       {-1, -1, 0},
-       {1, -1, 0},
-       {1, 1, 2},
-       {-1, 1, 2},
-       {-1, -1, 2},
-       {1, -1, 2}},
-      {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
-}
-
-CreaseTag sharp(int a, int b) {
-  return {VertexId(a), VertexId(b), infinite_sharpness};
-}
-
-Mesh box_with_tagged_boundary() {
-  Mesh box = open_box();
-  for (int i = 0; i < 4; ++i) {
-    box.tags.creases.push_back(sharp(i, (i + 1) % 4));
-    box.tags.creases.push_back(sharp(4 + i, 4 + (i + 1) % 4));
-  }
-  for (int v = 0; v < 8; ++v)
-    box.tags.corners.push_back({VertexId(v), infinite_sharpness});
-  return box;
-}
-
-Mesh box_with_tagged_edge() {
-  Mesh box = open_box();
-  box.tags.creases.push_back(sharp(3, 7));
-  return box;
+Mesh without_tags(Mesh mesh) {
+  mesh.tags = {};
+  return mesh;
 }
 
 FigureGrid box(const Settings& settings) {
   const int steps = settings.steps(10);
   const View view{
       .direction = Vec3(-0.55, 0.85, -0.6), .size = {290, 290}, .density = settings.density};
-  const Viewer viewer(control_scene(open_box()), view);
+  const Mesh boundary = read_mesh(settings.models / "box_boundary.obj").mesh;
+  const Mesh edge = read_mesh(settings.models / "box_edge.obj").mesh;
+  const Viewer viewer(control_scene(edge), view);
   FigureGrid grid{.columns = 3, .title = "A box with two open sides: what tags do"};
   const auto add = [&](const Mesh& mesh, const Scene& scene, const char* title, const char* what) {
     grid.figures.push_back(viewer.figure(
         scene, title, fmt::format("{}; {} triangles", what, mesh.topology.num_faces())));
     grid.figures.back().legend = tag_legend(mesh);
   };
-  const Mesh boundary = box_with_tagged_boundary();
-  const Mesh edge = box_with_tagged_edge();
   const QuasiSmoothingRules curves{QuasiBoundary::curve, QuasiTags::curves};
   const auto add_refined = [&](const Mesh& control, const QuasiSmoothingRules& rules,
                                const char* title, const char* what) {
@@ -263,7 +229,7 @@ FigureGrid box(const Settings& settings) {
   };
   add(boundary, control_scene(boundary), "Fig. 11a with the tags of b", "control mesh");
   add_refined(boundary, {}, "Fig. 11b: boundary tagged", "tags held");
-  add_refined(open_box(), {}, "without tags", "boundary along the normal");
+  add_refined(without_tags(edge), {}, "without tags", "boundary along the normal");
   add(edge, control_scene(edge), "Fig. 11a with the tag of c", "control mesh");
   add_refined(edge, {}, "Fig. 11c: one inner edge tagged", "boundary along the normal");
   add_refined(edge, curves, "tags as curves", "--boundary curve --tags curves");
