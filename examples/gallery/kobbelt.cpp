@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
-#include <functional>
 
 #include "drawing.h"
 #include "limes/io/io.h"

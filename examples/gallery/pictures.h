@@ -12,7 +12,7 @@ namespace gallery {
 struct Settings {
   std::filesystem::path models;  ///< folder of the control meshes, data/gallery
   int most_faces = 16000;        ///< of a refined mesh
-  double density = 1.2;         ///< pixels per unit
+  double density = 1.2;          ///< pixels per unit
 
   /// Steps to draw, of those that a figure of a paper has.
   [[nodiscard]] int steps(int wanted) const { return most_faces < 2000 ? wanted / 2 : wanted; }

@@ -6,9 +6,9 @@
 
 #include "drawing.h"
 #include "limes/io/io.h"
-#include "limes/mesh/triangulate.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
+#include "meshes.h"
 #include "pictures.h"
 
 namespace gallery {
@@ -16,19 +16,6 @@ namespace gallery {
 using namespace limes;
 
 namespace {
-
-/// The same surface of triangles; tags, groups and parts are left out.
-Mesh triangulated(const Mesh& mesh) {
-  const Triangulation cut = triangulate(mesh.topology, mesh.points.span(), Cuts::new_edges);
-  std::vector<VertexId> corners;
-  for (const auto& triangle : cut.triangles)
-    for (const int v : triangle)
-      corners.emplace_back(v);
-  Mesh result;
-  result.topology = Topology(mesh.topology.num_vertices(), 3, std::move(corners));
-  result.points = mesh.points;
-  return result;
-}
 
 Mesh refined(const Mesh& mesh, const Scheme& scheme, int levels) {
   return refine(mesh, scheme, {.levels = levels});
@@ -88,12 +75,6 @@ std::string caption(const Start& start, const Refined& fine) {
                      fine.next ? fmt::format("; another step leaves {}", *fine.next) : "");
 }
 
-/// Without the breakpoints that kobbelt found: the models have no tags.
-Mesh without_tags(Mesh mesh) {
-  mesh.tags = {};
-  return mesh;
-}
-
 struct Model {
   std::string file, name;
   View view;
@@ -112,6 +93,7 @@ FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
   for (const Scheme& scheme : all_schemes()) {
     const Start start = start_for(scheme, control);
     const Refined fine = refined_far(start.mesh, scheme, settings.most_faces);
+    // No tags: the models have none, and breakpoints of kobbelt are shown elsewhere.
     grid.figures.push_back(viewer.figure(surface_scene(without_tags(fine.mesh)),
                                          std::string(scheme.name), caption(start, fine)));
   }

@@ -11,6 +11,7 @@
 #include "limes/mesh/adjacency.h"
 #include "limes/report/pictures.h"
 #include "limes/subdiv/quasi_four_eight.h"
+#include "meshes.h"
 #include "pictures.h"
 
 namespace gallery {
@@ -18,17 +19,6 @@ namespace gallery {
 using namespace limes;
 
 namespace {
-
-Mesh from_triangles(std::vector<Vec3> points, const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<VertexId> corners;
-  for (const auto& triangle : triangles)
-    for (const int v : triangle)
-      corners.emplace_back(v);
-  Mesh mesh;
-  mesh.topology = Topology(static_cast<int>(points.size()), 3, std::move(corners));
-  mesh.points = IdArray<VertexId, Vec3>(std::move(points));
-  return mesh;
-}
 
 Mesh after(const Mesh& mesh, int steps, const QuasiSmoothingRules& rules = {}) {
   return refine_quasi_four_eight(mesh, {.levels = steps, .rules = rules}).mesh;
@@ -198,11 +188,6 @@ FigureGrid head(const Settings& settings) {
 }
 
 // Figure 11: a box with two open sides -------------------------------------------------------------
-
-Mesh without_tags(Mesh mesh) {
-  mesh.tags = {};
-  return mesh;
-}
 
 FigureGrid box(const Settings& settings) {
   const int steps = settings.steps(10);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "limes/mesh/mesh.h"
+
+namespace gallery {
+
+[[nodiscard]] limes::Mesh from_triangles(std::vector<limes::Vec3> points,
+                                         const std::vector<std::array<int, 3>>& triangles);
+
+/// The same surface of triangles; tags, groups and parts are left out.
+[[nodiscard]] limes::Mesh triangulated(const limes::Mesh& mesh);
+
+[[nodiscard]] limes::Mesh without_tags(limes::Mesh mesh);
+
+}  // namespace gallery
