@@ -1,5 +1,6 @@
 #include "meshes.h"
 
+#include "limes/mesh/measure.h"
 #include "limes/mesh/triangulate.h"
 
 namespace gallery {
@@ -25,6 +26,17 @@ Mesh triangulated(const Mesh& mesh) {
 Mesh without_tags(Mesh mesh) {
   mesh.tags = {};
   return mesh;
+}
+
+std::optional<double> volume(const Mesh& mesh) {
+  if (measure(mesh).boundary_loops > 0) return {};
+  const Mesh cut = triangulated(mesh);
+  double sum = 0;
+  for (int f = 0; f < cut.topology.num_faces(); ++f) {
+    const auto corners = cut.topology.face(FaceId(f));
+    sum += cut.points[corners[0]].dot(cut.points[corners[1]].cross(cut.points[corners[2]]));
+  }
+  return sum / 6;
 }
 
 }  // namespace gallery

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "limes/mesh/mesh.h"
@@ -14,5 +15,8 @@ namespace gallery {
 [[nodiscard]] limes::Mesh triangulated(const limes::Mesh& mesh);
 
 [[nodiscard]] limes::Mesh without_tags(limes::Mesh mesh);
+
+/// Enclosed volume, with faces cut as triangulated() does; nothing for a surface with boundary.
+[[nodiscard]] std::optional<double> volume(const limes::Mesh& mesh);
 
 }  // namespace gallery

@@ -69,10 +69,14 @@ Refined refined_far(const Mesh& control, const Scheme& scheme, int most_faces) {
   }
 }
 
-std::string caption(const Start& start, const Refined& fine) {
-  return fmt::format("{}{} steps, {} faces{}", start.how, fine.levels,
-                     fine.mesh.topology.num_faces(),
-                     fine.next ? fmt::format("; another step leaves {}", *fine.next) : "");
+std::string caption(const Mesh& control, const Start& start, const Refined& fine) {
+  std::string text =
+      fmt::format("{}{} steps, {} faces", start.how, fine.levels, fine.mesh.topology.num_faces());
+  const std::optional<double> before = volume(control);
+  const std::optional<double> after = volume(fine.mesh);
+  if (before && after) text += fmt::format(", {:.0f} % of the volume", 100 * *after / *before);
+  if (fine.next) text += fmt::format("; another step leaves {}", *fine.next);
+  return text;
 }
 
 struct Model {
@@ -95,7 +99,7 @@ FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
     const Refined fine = refined_far(start.mesh, scheme, settings.most_faces);
     // No tags: the models have none, and breakpoints of kobbelt are shown elsewhere.
     grid.figures.push_back(viewer.figure(surface_scene(without_tags(fine.mesh)),
-                                         std::string(scheme.name), caption(start, fine)));
+                                         std::string(scheme.name), caption(control, start, fine)));
   }
   const Mesh changed = mesh_for_others(control);
   grid.figures.push_back(viewer.figure(
