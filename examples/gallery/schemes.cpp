@@ -6,6 +6,7 @@
 
 #include "drawing.h"
 #include "limes/io/io.h"
+#include "limes/report/pictures.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 #include "meshes.h"
@@ -42,11 +43,25 @@ Start start_for(const Scheme& scheme, const Mesh& model) {
   return {model, ""};
 }
 
-/// What schemes start from that cannot take the model: of triangle schemes, or else of quad schemes.
-Mesh mesh_for_others(const Mesh& model) {
-  const Mesh triangles = start_for(find_scheme("loop"), model).mesh;
-  return triangles.topology == model.topology ? start_for(find_scheme("kobbelt"), model).mesh
-                                              : triangles;
+const Colour cut_colour = palette::series[1];
+
+/// The control mesh, and in colour where it is cut for triangle schemes.
+Figure control_figure(const Mesh& model, const Viewer& viewer) {
+  Scene scene = control_scene(model);
+  std::vector<LegendEntry> legend;
+  if (model.topology.uniform_face_size() != 3) {
+    const Mesh cut = triangulated(model);
+    Lines lines = edge_lines(cut.topology, cut.points.span());
+    lines.width = 0.7;
+    lines.colour = cut_colour;
+    scene.lines.insert(scene.lines.begin(), std::move(lines));
+    legend.push_back({"cut for triangle schemes", LegendEntry::Kind::line, cut_colour, {}, 0.7});
+  }
+  Figure figure = viewer.figure(
+      scene, "control mesh",
+      fmt::format("{} faces, {} vertices", model.topology.num_faces(), model.points.size()));
+  figure.legend = std::move(legend);
+  return figure;
 }
 
 struct Refined {
@@ -86,14 +101,11 @@ struct Model {
 
 FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
   const Mesh control = read_mesh(settings.models / model.file).mesh;
-  const Scene control_picture = control_scene(control);
   View view = model.view;
   view.density = settings.density;
-  const Viewer viewer(control_picture, view);
+  const Viewer viewer(control_scene(control), view);
   FigureGrid grid{.columns = 3, .title = "Every scheme on the same control mesh: " + model.name};
-  grid.figures.push_back(viewer.figure(
-      control_picture, "control mesh",
-      fmt::format("{} faces, {} vertices", control.topology.num_faces(), control.points.size())));
+  grid.figures.push_back(control_figure(control, viewer));
   for (const Scheme& scheme : all_schemes()) {
     const Start start = start_for(scheme, control);
     const Refined fine = refined_far(start.mesh, scheme, settings.most_faces);
@@ -101,11 +113,6 @@ FigureGrid all_schemes_on(const Model& model, const Settings& settings) {
     grid.figures.push_back(viewer.figure(surface_scene(without_tags(fine.mesh)),
                                          std::string(scheme.name), caption(control, start, fine)));
   }
-  const Mesh changed = mesh_for_others(control);
-  grid.figures.push_back(viewer.figure(
-      control_scene(changed),
-      changed.topology.uniform_face_size() == 3 ? "cut for triangle schemes" : "split for kobbelt",
-      fmt::format("{} faces", changed.topology.num_faces())));
   return grid;
 }
 
