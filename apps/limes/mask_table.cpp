@@ -9,17 +9,42 @@
 #include "table.h"
 
 namespace limes::app {
+namespace {
+
+/// Of the eigenvectors.
+constexpr double noise = 1e-12;
+
+std::string decimal(double weight) {
+  return fmt::format("{:.9f}", std::abs(weight) < noise ? 0.0 : weight);
+}
+
+std::string text_of(const Fraction& fraction) {
+  if (fraction.denominator == 1) return fmt::format("{}", fraction.numerator);
+  return fmt::format("{}/{}", fraction.numerator, fraction.denominator);
+}
+
+}  // namespace
+
+std::optional<std::string> weight_fraction(double weight) {
+  const auto fraction = as_fraction(weight);
+  if (!fraction) return std::nullopt;
+  return text_of(*fraction);
+}
 
 std::string weight_text(double weight) {
-  const auto fraction = as_fraction(weight);
-  if (!fraction) return fmt::format("{:.12f}", weight);
-  if (fraction->denominator == 1) return fmt::format("{}", fraction->numerator);
-  return fmt::format("{}/{}", fraction->numerator, fraction->denominator);
+  return weight_fraction(weight).value_or(fmt::format("{:.12f}", weight));
+}
+
+std::optional<std::string> limit_fraction(double weight) {
+  const auto fraction = as_fraction(weight, {.most_denominator = 4096, .tolerance = noise});
+  if (!fraction) return std::nullopt;
+  return text_of(*fraction);
 }
 
 std::string mask_table(const Spectrum& s, int num_sectors) {
   if (!s.limit_mask) return {};
-  std::vector<std::vector<std::string>> rows{{"RING", "PLACE", "LIMIT", "TANGENT", "PHASE"}};
+  std::vector<std::vector<std::string>> rows{
+      {"RING", "PLACE", "LIMIT", "FRACTION", "TANGENT", "PHASE"}};
   for (std::size_t p = 0; p < s.places.size(); ++p) {
     if (s.places[p].sector != 0) continue;
     const auto i = static_cast<Eigen::Index>(p);
@@ -27,10 +52,12 @@ std::string mask_table(const Spectrum& s, int num_sectors) {
     if (s.tangent_masks) {
       const std::complex<double> t((*s.tangent_masks)(i, 0), (*s.tangent_masks)(i, 1));
       amplitude = fmt::format("{:.9f}", std::abs(t));
-      phase = fmt::format("{:.6f}", std::abs(t) < 1e-12 ? 0.0 : std::arg(t));
+      const double angle = std::abs(t) < noise ? 0.0 : std::arg(t);
+      phase = fmt::format("{:.6f}", std::abs(angle) < noise ? 0.0 : angle);
     }
     rows.push_back({fmt::format("{}", s.places[p].ring), fmt::format("{}", s.places[p].place),
-                    fmt::format("{:.9f}", (*s.limit_mask)[i]), amplitude, phase});
+                    decimal((*s.limit_mask)[i]), limit_fraction((*s.limit_mask)[i]).value_or("-"),
+                    amplitude, phase});
   }
   return fmt::format("masks, per vertex of {} sectors:\n", num_sectors) + format_table(rows);
 }

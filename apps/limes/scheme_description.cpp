@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limes/math/fraction.h"
 #include "mask_table.h"
 #include "rule_layout.h"
 
@@ -82,8 +81,8 @@ std::vector<std::string> notes_of(const Scheme& scheme) {
   return notes;
 }
 
-nlohmann::ordered_json fraction_json(double weight) {
-  if (as_fraction(weight)) return weight_text(weight);
+nlohmann::ordered_json optional_json(const std::optional<std::string>& text) {
+  if (text) return *text;
   return nullptr;
 }
 
@@ -94,7 +93,7 @@ nlohmann::ordered_json to_json(const RuleWeight& w, bool on_lattice) {
   else
     entry = {{"ring", w.place.ring}, {"place", w.place.place}, {"sector", w.place.sector}};
   entry["weight"] = w.weight;
-  entry["fraction"] = fraction_json(w.weight);
+  entry["fraction"] = optional_json(weight_fraction(w.weight));
   return entry;
 }
 
@@ -123,6 +122,7 @@ nlohmann::ordered_json limit_json(const Spectrum& s) {
     const auto i = static_cast<Eigen::Index>(p);
     nlohmann::ordered_json entry =
         to_json(RuleWeight{Vec2::Zero(), s.places[p], (*s.limit_mask)[i]}, false);
+    entry["fraction"] = optional_json(limit_fraction((*s.limit_mask)[i]));
     if (s.tangent_masks) entry["tangents"] = {(*s.tangent_masks)(i, 0), (*s.tangent_masks)(i, 1)};
     weights.push_back(std::move(entry));
   }
@@ -175,7 +175,7 @@ std::string to_text(const SchemeDescription& d) {
   std::string text = fmt::format("{}: {}\n", d.scheme->name, d.scheme->summary);
   for (const std::string& note : d.notes)
     text += fmt::format("note: {}\n", note);
-  text += "\nSTENCILS: weights of old vertices in a new one\n";
+  text += "\nSTENCILS: weights of old vertices in a new one; other places where they differ\n";
   for (const Rule& rule : d.rules.rules)
     text += to_text(d, rule);
   text +=
