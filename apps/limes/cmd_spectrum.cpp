@@ -12,6 +12,7 @@
 #include "limes/report/canvas.h"
 #include "limes/spectrum/characteristic_picture.h"
 #include "limes/subdiv/schemes.h"
+#include "mask_table.h"
 #include "run.h"
 #include "table.h"
 #include "terminal.h"
@@ -36,14 +37,6 @@ std::pair<int, int> parse_range(const std::string& text) {
   }
   const int first = parse_whole_number("--valence", text.substr(0, dots), 1);
   return {first, parse_whole_number("--valence", text.substr(dots + 2), first)};
-}
-
-double any_tension(const Scheme& scheme, const std::string& text) {
-  if (text.empty()) return RuleOptions{}.tension;
-  const auto tension = parse_real(text);
-  if (!tension) throw UsageError("--tension: {} is no number", quote(text));
-  if (!has_tension(scheme)) throw UsageError("--tension: {} has no such option", scheme.name);
-  return *tension;
 }
 
 /// A range passes over valences that the scheme does not have, but must not begin or end far from those
@@ -93,26 +86,6 @@ void print_table(const std::vector<Analysis>& results) {
       print(fmt::format("valence {}: {}\n", a.spectrum.valence, a.spectrum.reason));
 }
 
-/// The masks of one valence, orbit by orbit: tangents turn with the sector s as cos(2 pi s / n + phase).
-void print_masks(const Spectrum& s, int num_sectors) {
-  if (!s.limit_mask) return;
-  std::vector<std::vector<std::string>> rows{{"RING", "PLACE", "LIMIT", "TANGENT", "PHASE"}};
-  for (std::size_t p = 0; p < s.places.size(); ++p) {
-    if (s.places[p].sector != 0) continue;
-    const auto i = static_cast<Eigen::Index>(p);
-    std::string amplitude = "-", phase = "-";
-    if (s.tangent_masks) {
-      const std::complex<double> t((*s.tangent_masks)(i, 0), (*s.tangent_masks)(i, 1));
-      amplitude = fmt::format("{:.9f}", std::abs(t));
-      phase = fmt::format("{:.6f}", std::abs(t) < 1e-12 ? 0.0 : std::arg(t));
-    }
-    rows.push_back({fmt::format("{}", s.places[p].ring), fmt::format("{}", s.places[p].place),
-                    fmt::format("{:.9f}", (*s.limit_mask)[i]), amplitude, phase});
-  }
-  print(fmt::format("\nmasks, per vertex of {} sectors:\n", num_sectors));
-  print(format_table(rows));
-}
-
 nlohmann::ordered_json to_json(const Spectrum& s) {
   nlohmann::ordered_json eigenvalues = nlohmann::ordered_json::array();
   for (const BlockEigenvalue& e : s.eigenvalues) {
@@ -147,7 +120,7 @@ nlohmann::ordered_json to_json(const Spectrum& s) {
 void SpectrumCommand::operator()() const {
   const Run current(run);
   const Scheme& chosen = find_scheme(scheme);
-  const double w = any_tension(chosen, tension);
+  const double w = parse_any_tension(chosen, tension);
   const auto [first, last] = parse_range(valences);
   const std::vector<int> possible = possible_valences(chosen, first, last);
   if (!picture.empty()) check_output(picture, run, {".svg", ".png"});
@@ -164,7 +137,9 @@ void SpectrumCommand::operator()() const {
     return;
   }
   print_table(results);
-  if (results.size() == 1) print_masks(results[0].spectrum, results[0].local->num_sectors());
+  if (results.size() != 1) return;
+  const std::string masks = mask_table(results[0].spectrum, results[0].local->num_sectors());
+  if (!masks.empty()) print("\n" + masks);
 }
 
 }  // namespace

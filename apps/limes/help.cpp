@@ -46,7 +46,8 @@ class HelpLayout : public CLI::Formatter {
     const bool has_commands = !app->get_subcommands({}).empty();
     std::string usage = "Usage: " + name + (has_commands ? " COMMAND" : "");
     for (const CLI::Option* o : app->get_options())
-      if (o->get_positional()) usage += " " + o->get_name(true);
+      if (o->get_positional())
+        usage += o->get_required() ? " " + o->get_name(true) : " [" + o->get_name(true) + "]";
     for (const CLI::Option* o : app->get_options())
       if (o->nonpositional() && o->get_required())
         usage += " " + shortest_name(*o) + " " +

@@ -230,6 +230,14 @@ double parse_tension(const std::string& text) {
   return *number;
 }
 
+double parse_any_tension(const Scheme& scheme, const std::string& text) {
+  if (text.empty()) return RuleOptions{}.tension;
+  const auto tension = parse_real(text);
+  if (!tension) throw UsageError("--tension: {} is no number", quote(text));
+  if (!has_tension(scheme)) throw UsageError("--tension: {} has no such option", scheme.name);
+  return *tension;
+}
+
 int parse_whole_number(const char* option, const std::string& text, int least) {
   const auto number = parse_integer(text);
   constexpr int most = std::numeric_limits<int>::max();

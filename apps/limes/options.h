@@ -80,6 +80,9 @@ void require_limit(const SchemeChoice& choice);
 /// 0 to 2 (sqrt 5 - 1): up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
 /// @throws UsageError
 [[nodiscard]] double parse_tension(const std::string& text);
+/// Any number, for looking at a scheme only; empty: the default.
+/// @throws UsageError, also if the scheme has no tension
+[[nodiscard]] double parse_any_tension(const Scheme& scheme, const std::string& text);
 
 /// A decimal whole number, at least `least`.
 /// @throws UsageError that names the option

@@ -60,6 +60,48 @@ TEST(SpectrumCommand, RefusesWrongUsage) {
   expect_failure(run("loop", "3", {"-o", "/nonexistent/maps.svg"}), 5, "/nonexistent");
 }
 
+TEST(SchemesCommand, PrintsTheRulesOfAScheme) {
+  const Result text = run_limes({"schemes", "catmull-clark", "--valence", "5"});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  for (const char* part : {"1/64 of", "6  36  6", "valence 5: vertex point", "13/20", "LIMIT ROWS"})
+    EXPECT_NE(text.out.find(part), std::string::npos) << part;
+  const Result result = run_limes({"schemes", "catmull-clark", "--valence", "5", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["regular_valence"], 4);
+  EXPECT_EQ(json["masks"][0]["weights"].size(), 25U);
+  ASSERT_EQ(json["limits"].size(), 2U);
+  // [halstead_1993]: n^2, 4 and 1 over n (n + 5).
+  const Json& five = json["limits"][1]["weights"];
+  EXPECT_EQ(five[0]["fraction"], "1/2");
+  EXPECT_EQ(five[1]["fraction"], "2/25");
+  EXPECT_EQ(five[6]["fraction"], "1/50");
+}
+
+TEST(SchemesCommand, KnowsEveryScheme) {
+  for (const Scheme& s : all_schemes()) {
+    const Result result = run_limes({"schemes", std::string(s.name), "--valence", "6", "--json"});
+    ASSERT_EQ(result.exit_code, 0) << s.name << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_FALSE(json["rules"].empty()) << s.name;
+    EXPECT_FALSE(json["masks"].empty()) << s.name;
+    EXPECT_EQ(run_limes({"schemes", std::string(s.name)}).exit_code, 0) << s.name;
+  }
+  const Json curve = Json::parse(run_limes({"schemes", "chaikin", "--json"}).out);
+  EXPECT_EQ(curve["mask"], Json::parse("[0.25, 0.75, 0.75, 0.25]"));
+}
+
+TEST(SchemesCommand, RefusesWrongUsage) {
+  expect_failure(run_limes({"schemes", "lop"}), 2, "there is no scheme 'lop'");
+  expect_failure(run_limes({"schemes", "--valence", "5"}), 2, "--valence needs a scheme");
+  expect_failure(run_limes({"schemes", "--tension", "1"}), 2, "--tension needs a scheme");
+  expect_failure(run_limes({"schemes", "loop", "--valence", "2"}), 2, "3 to 100 are");
+  expect_failure(run_limes({"schemes", "four-eight", "--valence", "5"}), 2, "even ones");
+  expect_failure(run_limes({"schemes", "loop", "--tension", "1"}), 2, "loop has no such option");
+  expect_failure(run_limes({"schemes", "chaikin", "--valence", "4"}), 2, "no such option");
+  expect_failure(run_limes({"schemes", "chaikin", "--tension", "1"}), 2, "no such option");
+}
+
 TEST(RefineCommand, RefinesCurves) {
   const TempFolder folder;
   const Result result = run_limes({"refine", data_file("polygon.obj"), "-o", folder / "c.obj",
