@@ -16,6 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 using namespace problem_file;
 
+/// Of the keys' words; none: a list of what is fixed.
+SupportKind support_kind(std::string_view name) {
+  if (name == "clamped") return SupportKind::clamped;
+  if (name == "supported") return SupportKind::supported;
+  if (name == "symmetry") return SupportKind::symmetry;
+  if (name == "diaphragm") return SupportKind::diaphragm;
+  return SupportKind::listed;
+}
+
 /// The tables of a document, one kind after the other.
 class ProblemReader {
  public:
@@ -30,6 +39,7 @@ class ProblemReader {
   void read_top();
   void read_mesh();
   void read_model();
+  void read_geometry();
   void read_materials();
   void read_periodic();
   void read_supports();
@@ -88,7 +98,28 @@ void ProblemReader::read_mesh() {
     mesh.file = file;
     table.read("scheme", mesh.scheme);
     table.read("levels", mesh.levels);
-    table.read("placement", placement);  // there is one so far
+    table.read("placement", placement);
+    mesh.exact = placement == "exact";
+    if (mesh.exact && !document_.contains("geometry"))
+      fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+  }
+}
+
+void ProblemReader::read_geometry() {
+  for (const TableReader& table : tables("geometry")) {
+    GeometrySettings& geometry = problem_.geometry.emplace();
+    geometry.line = table.line();
+    std::string kind;
+    table.read("kind", kind);
+    geometry.kind =
+        kind == "sphere" ? GeometrySettings::Kind::sphere : GeometrySettings::Kind::cylinder;
+    table.read("point", geometry.point);
+    table.read("axis", geometry.axis);
+    table.read("radius", geometry.radius);
+    if (!(geometry.axis.norm() > 0))
+      fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
+    if (problem_.model.kind != ModelKind::mitc4)
+      fail(table.place(), "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
   }
 }
 
@@ -99,7 +130,11 @@ void ProblemReader::read_model() {
     std::string kind, boundary;
     table.read("kind", kind);
     table.read("boundary", boundary);
-    model.kind = kind == "plane-strain" ? ModelKind::plane_strain : ModelKind::plane_stress;
+    model.kind = kind == "mitc4"          ? ModelKind::mitc4
+                 : kind == "plane-strain" ? ModelKind::plane_strain
+                                          : ModelKind::plane_stress;
+    table.read("shear_factor", model.shear_factor);
+    table.read("kink_angle", model.kink_angle);
     model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
     table.read("kinks", model.kinks);
     table.read("quadrature_points", model.quadrature_points);
@@ -147,11 +182,26 @@ void ProblemReader::read_supports() {
     support.line = table.line();
     support.where_line = table.line("where");
     table.read("where", support.where);
+    const bool shell = problem_.model.kind == ModelKind::mitc4;
     std::vector<std::string> fix;
-    table.read("fix", fix);
-    constexpr std::array<std::string_view, 3> names{"ux", "uy", "uz"};
+    std::string kind, rotation;
+    if (table.chosen_key() == "fix") table.read("fix", fix);
+    constexpr std::array<std::string_view, 6> names{"ux", "uy", "uz", "rx", "ry", "rz"};
     for (std::size_t i = 0; i < names.size(); ++i)
       support.fix[i] = std::find(fix.begin(), fix.end(), names[i]) != fix.end();
+    if (!shell && (support.fix[3] || support.fix[4] || support.fix[5]))
+      fail(table.place("fix"), "plane models have no rotations; fix ux, uy or both");
+    if (table.has("kind")) table.read("kind", kind);
+    if (!shell && !kind.empty())
+      fail(table.place("kind"),
+           "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
+    support.kind = support_kind(kind);
+    table.read("rotation", rotation);
+    support.hard = rotation == "hard";
+    if (!rotation.empty() && support.kind != SupportKind::supported &&
+        support.kind != SupportKind::diaphragm)
+      fail(table.place("rotation"),
+           "rotation belongs to kind = \"supported\" or \"diaphragm\"; remove it");
   }
 }
 
@@ -160,10 +210,12 @@ void ProblemReader::read_loads() {
     std::string_view name;
     LoadKind kind;
   };
-  constexpr std::array kinds{
-      Named{"force", LoadKind::force}, Named{"force_per_length", LoadKind::force_per_length},
-      Named{"force_per_area", LoadKind::force_per_area},
-      Named{"force_per_volume", LoadKind::force_per_volume}, Named{"pressure", LoadKind::pressure}};
+  constexpr std::array kinds{Named{"force", LoadKind::force},
+                             Named{"force_per_length", LoadKind::force_per_length},
+                             Named{"force_per_area", LoadKind::force_per_area},
+                             Named{"force_per_volume", LoadKind::force_per_volume},
+                             Named{"pressure", LoadKind::pressure},
+                             Named{"moment", LoadKind::moment}};
   for (const TableReader& table : tables("load")) {
     LoadSettings& load = problem_.loads.emplace_back();
     load.line = table.line();
@@ -172,6 +224,8 @@ void ProblemReader::read_loads() {
     const std::string_view key = table.chosen_key();
     for (const Named& named : kinds)
       if (named.name == key) load.kind = named.kind;
+    if (load.kind == LoadKind::moment && problem_.model.kind != ModelKind::mitc4)
+      fail(table.place(key), "a moment is for shells, [model] kind = \"mitc4\"; use forces");
     if (load.kind == LoadKind::pressure)
       table.read(key, load.value[0]);
     else
@@ -198,12 +252,17 @@ void ProblemReader::check_held() const {
     fail({file_},
          "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
          "three fixed displacements");
+  if (problem_.periodic && problem_.model.kind == ModelKind::mitc4)
+    throw InputError(
+        "{}:{}: a periodic cell is plane; remove [periodic] or take another [model] kind", file_,
+        problem_.periodic->line);
 }
 
 Problem ProblemReader::read() {
   read_top();
   read_mesh();
   read_model();
+  read_geometry();
   read_materials();
   read_periodic();
   read_supports();
