@@ -45,6 +45,7 @@ class ProblemReader {
   void read_supports();
   void read_loads();
   void read_probes();
+  void check_model() const;
   void check_held() const;
 
   const toml::table& document_;
@@ -118,8 +119,6 @@ void ProblemReader::read_geometry() {
     table.read("radius", geometry.radius);
     if (!(geometry.axis.norm() > 0))
       fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
-    if (problem_.model.kind != ModelKind::mitc4)
-      fail(table.place(), "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
   }
 }
 
@@ -182,19 +181,13 @@ void ProblemReader::read_supports() {
     support.line = table.line();
     support.where_line = table.line("where");
     table.read("where", support.where);
-    const bool shell = problem_.model.kind == ModelKind::mitc4;
     std::vector<std::string> fix;
     std::string kind, rotation;
     if (table.chosen_key() == "fix") table.read("fix", fix);
     constexpr std::array<std::string_view, 6> names{"ux", "uy", "uz", "rx", "ry", "rz"};
     for (std::size_t i = 0; i < names.size(); ++i)
       support.fix[i] = std::find(fix.begin(), fix.end(), names[i]) != fix.end();
-    if (!shell && (support.fix[3] || support.fix[4] || support.fix[5]))
-      fail(table.place("fix"), "plane models have no rotations; fix ux, uy or both");
     if (table.has("kind")) table.read("kind", kind);
-    if (!shell && !kind.empty())
-      fail(table.place("kind"),
-           "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
     support.kind = support_kind(kind);
     table.read("rotation", rotation);
     support.hard = rotation == "hard";
@@ -224,8 +217,6 @@ void ProblemReader::read_loads() {
     const std::string_view key = table.chosen_key();
     for (const Named& named : kinds)
       if (named.name == key) load.kind = named.kind;
-    if (load.kind == LoadKind::moment && problem_.model.kind != ModelKind::mitc4)
-      fail(table.place(key), "a moment is for shells, [model] kind = \"mitc4\"; use forces");
     if (load.kind == LoadKind::pressure)
       table.read(key, load.value[0]);
     else
@@ -252,10 +243,30 @@ void ProblemReader::check_held() const {
     fail({file_},
          "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
          "three fixed displacements");
-  if (problem_.periodic && problem_.model.kind == ModelKind::mitc4)
-    throw InputError(
-        "{}:{}: a periodic cell is plane; remove [periodic] or take another [model] kind", file_,
-        problem_.periodic->line);
+}
+
+/// Each model has keys that mean nothing to the other.
+void ProblemReader::check_model() const {
+  const auto fail_at = [&](int line, const char* what) {
+    throw InputError("{}:{}: {}", file_, line, what);
+  };
+  if (problem_.model.kind == ModelKind::mitc4) {
+    if (problem_.periodic)
+      fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
+    return;
+  }
+  if (problem_.geometry)
+    fail_at(problem_.geometry->line,
+            "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
+  for (const SupportSettings& s : problem_.supports) {
+    if (s.kind != SupportKind::listed)
+      fail_at(s.line, "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
+    if (s.fix[3] || s.fix[4] || s.fix[5])
+      fail_at(s.line, "plane models have no rotations; fix ux, uy or both");
+  }
+  for (const LoadSettings& load : problem_.loads)
+    if (load.kind == LoadKind::moment)
+      fail_at(load.line, "a moment is for shells, [model] kind = \"mitc4\"; use forces");
 }
 
 Problem ProblemReader::read() {
@@ -268,6 +279,7 @@ Problem ProblemReader::read() {
   read_supports();
   read_loads();
   read_probes();
+  check_model();
   check_held();
   return std::move(problem_);
 }
