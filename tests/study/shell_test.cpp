@@ -55,6 +55,63 @@ TEST(Mitc4Limit, RoofConvergesToItsOwnEnergy) {
   }
 }
 
+// Kirchhoff-Love limit 0.0924131, computed with harmonics: thin, nearly inextensional bending.
+TEST(Mitc4Limit, ClosedHemisphereDoesNotLock) {
+  const auto error = [](const char* level) {
+    const ShellResult r = solve_file("hemisphere.toml", {std::string("mesh.levels=") + level});
+    return std::abs(r.probes.front().displacement.x() / 0.0924131 - 1);
+  };
+  EXPECT_LT(error("4"), 0.005);
+  EXPECT_LT(error("5"), 0.001);
+}
+
+// A long tube of a Catmull-Clark surface under inner pressure widens by p R^2 / (E t), far from its ends.
+TEST(ShellPlacement, LimitPointsAndNormalsOfCatmullClark) {
+  const int n = 16, m = 8;
+  const double pi = std::numbers::pi;
+  const double R = 3 / (2 + std::cos(2 * pi / n));  // limit points of the control circle: radius 1
+  std::vector<Vec3> x;
+  std::vector<int> quads;
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j < n; ++j)
+      x.emplace_back(4.0 * i / m, R * std::cos(2 * pi * j / n), R * std::sin(2 * pi * j / n));
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int k = (j + 1) % n;
+      quads.insert(quads.end(), {i * n + j, i * n + k, (i + 1) * n + k, (i + 1) * n + j});
+    }
+  const ShellModel model = build_shell_model(parse_problem(R"([mesh]
+file = "m.obj"
+levels = 2
+[model]
+kind = "mitc4"
+[material]
+young = 1e6
+poisson = 0.3
+thickness = 0.05
+[[support]]
+where = "x == 0"
+kind = "clamped"
+[[load]]
+where = "all"
+pressure = -1
+[[probe]]
+name = "middle"
+at = [2, 1, 0]
+)",
+                                                           "p.toml"),
+                                             testing::make_mesh(std::move(x), std::move(quads)));
+  for (const Vec3& p : model.mesh->points)
+    EXPECT_NEAR(p.tail<2>().norm(), 1, 2e-4);
+  for (int h = 0; h < model.mesh->topology.num_corners(); ++h) {
+    const Vec3& p = model.mesh->points[model.mesh->topology.corner(HalfedgeId(h))];
+    EXPECT_NEAR(model.director[HalfedgeId(h)].tail<2>().dot(p.tail<2>()), 1, 1e-3);
+  }
+  const ShellSolution solution = solve_shell(model);
+  EXPECT_EQ(solution.num_kink_nodes, 0);
+  EXPECT_NEAR(probe(model, solution).front().displacement.y(), 2e-5, 0.003 * 2e-5);
+}
+
 /// A quarter of a square plate of side 1, thickness 1/100, D = 1, under a unit pressure.
 std::string plate(const std::string& support) {
   std::string text = R"([mesh]

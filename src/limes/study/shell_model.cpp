@@ -17,11 +17,16 @@ namespace limes {
 namespace {
 
 /// Nodes halfway between others, then moved onto the exact surface; level by level.
-Mesh refined_on(const GeometrySettings& surface, Mesh mesh, int levels) {
+Mesh refined_on(const Problem& problem, Mesh mesh) {
+  const GeometrySettings& surface = *problem.geometry;
   for (int level = 0;; ++level) {
-    for (Vec3& x : mesh.points)
-      x = project(surface, x);
-    if (level == levels) return mesh;
+    try {
+      for (Vec3& x : mesh.points)
+        x = project(surface, x);
+    } catch (const InputError& error) {
+      throw InputError("{}:{}: {}", problem.file.string(), surface.line, error.what());
+    }
+    if (level == problem.mesh.levels) return mesh;
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
   }
 }
@@ -164,7 +169,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   model.problem = problem;
   model.control = std::move(control);
   const BoundaryRule boundary = model.control.tags.boundary.value_or(BoundaryRule::edges);
-  Mesh mesh = problem.mesh.exact ? refined_on(*problem.geometry, model.control, problem.mesh.levels)
+  Mesh mesh = problem.mesh.exact ? refined_on(problem, model.control)
                                  : refine(model.control, scheme,
                                           {.levels = problem.mesh.levels, .boundary = boundary});
   require_quads(mesh, file);
