@@ -98,6 +98,7 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.geometry->point, Vec3(1, 2, 3));
   EXPECT_EQ(p.geometry->axis, Vec3(0, 1, 0));
   EXPECT_EQ(p.geometry->radius, 10);
+  EXPECT_EQ(p.geometry->height(Vec3(2, 3, 0)), 6);
   EXPECT_EQ(p.model.kind, ModelKind::mitc4);
   EXPECT_EQ(p.model.shear_factor, 1);
   EXPECT_EQ(p.model.kink_angle, 45);
@@ -110,7 +111,10 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
 }
 
 TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
-  std::string text = Draft().text();
+  const std::string text = Draft().text();
+  for (const char* kind : {"sphere", "graph"})
+    expect_message(message_of<InputError>(text + fmt::format("[geometry]\nkind = \"{}\"\n", kind)),
+                   "p.toml:11: [geometry] ", {"is missing; a ", kind});
   const auto with = [&](const std::string& more) { return message_of<InputError>(text + more); };
   expect_message(with("[geometry]\nkind = \"sphere\"\nradius = 1\n"),
                  "p.toml:11: [geometry] is for shells", {"mitc4"});

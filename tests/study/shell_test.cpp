@@ -65,6 +65,18 @@ TEST(Mitc4Limit, ClosedHemisphereDoesNotLock) {
   EXPECT_LT(error("5"), 0.001);
 }
 
+// Partly clamped, thickness over length 1/100, 1/1000, 1/10000: MITC16 of Bathe, Iosilevich, Chapelle 2000.
+TEST(Mitc4Limit, HyparDoesNotLock) {
+  for (const auto& [thickness, deflected] :
+       {std::pair("0.01", 9.3355e-5), std::pair("0.001", 6.3941e-3),
+        std::pair("0.0001", 0.52988)}) {
+    const std::string set = std::string("material.thickness=") + thickness;
+    EXPECT_NEAR(deflection(solve_file("hypar.toml", {set})) / deflected, 1, 0.05) << thickness;
+    EXPECT_NEAR(deflection(solve_file("hypar.toml", {set, "mesh.levels=5"})) / deflected, 1, 0.02)
+        << thickness;
+  }
+}
+
 // A long tube of a Catmull-Clark surface under inner pressure widens by p R^2 / (E t), far from its ends.
 TEST(ShellPlacement, LimitPointsAndNormalsOfCatmullClark) {
   const int n = 16, m = 8;

@@ -4,7 +4,7 @@
 
 namespace limes {
 
-/// The nearest point of the exact surface.
+/// The nearest point of the exact surface; of a graph the one above or below.
 /// @throws InputError "what" if x is on the axis or at the centre, where no point is nearest
 [[nodiscard]] Vec3 project(const GeometrySettings& surface, const Vec3& x);
 

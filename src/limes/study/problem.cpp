@@ -112,8 +112,13 @@ void ProblemReader::read_geometry() {
     geometry.line = table.line();
     std::string kind;
     table.read("kind", kind);
-    geometry.kind =
-        kind == "sphere" ? GeometrySettings::Kind::sphere : GeometrySettings::Kind::cylinder;
+    geometry.kind = kind == "sphere"  ? GeometrySettings::Kind::sphere
+                    : kind == "graph" ? GeometrySettings::Kind::graph
+                                      : GeometrySettings::Kind::cylinder;
+    const char* const needed = kind == "graph" ? "height" : "radius";
+    if (!table.has(needed))
+      fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, kind));
+    table.read("height", geometry.height);
     table.read("point", geometry.point);
     table.read("axis", geometry.axis);
     table.read("radius", geometry.radius);

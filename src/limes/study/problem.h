@@ -26,11 +26,12 @@ struct MeshSettings {
 
 /// A surface that is known exactly; shells take vertices and directors from it.
 struct GeometrySettings {
-  enum class Kind { cylinder, sphere };
+  enum class Kind { cylinder, sphere, graph };
   Kind kind = Kind::cylinder;
   Vec3 point = Vec3::Zero();  ///< of the axis, or the centre
   Vec3 axis = Vec3::UnitZ();  ///< of a cylinder; of any length > 0
   double radius = 1;          ///< > 0
+  Expression height;          ///< z of a graph
   int line = 0;
 };
 
