@@ -25,6 +25,9 @@ struct SolveCommand {
 
   void operator()() const;
   [[nodiscard]] std::string repeated() const;
+  /// What follows once a result is there; `current` has the time since the start.
+  template <class Result>
+  void hand_over(Result result, const Run& current) const;
 };
 
 std::string shown(double value) {
@@ -40,6 +43,14 @@ std::string shell_word(const std::string& text) {
   for (const char c : text)
     quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string summary(const std::vector<SolutionCheck>& checks) {
+  std::string text;
+  for (const SolutionCheck& c : checks)
+    text += fmt::format("check {}: {:.2e} {}, at most {:.2g}\n", c.name, c.value,
+                        c.passed() ? "passed" : "FAILED", c.limit);
+  return text;
 }
 
 /// The numbers that people look at first.
@@ -60,10 +71,24 @@ std::string summary(const PlaneResult& result) {
   for (const PlaneSolution::Reaction& r : result.solution.reactions)
     text += fmt::format("reaction at {}: force ({}, {}), moment {}\n", r.where, shown(r.force(0)),
                         shown(r.force(1)), shown(r.force(2)));
-  for (const SolutionCheck& c : result.checks)
-    text += fmt::format("check {}: {:.2e} {}, at most {:.2g}\n", c.name, c.value,
-                        c.passed() ? "passed" : "FAILED", c.limit);
-  return text;
+  return text + summary(result.checks);
+}
+
+std::string shown(const Vec3& v) {
+  return fmt::format("({}, {}, {})", shown(v.x()), shown(v.y()), shown(v.z()));
+}
+
+std::string summary(const ShellResult& result) {
+  std::string text =
+      fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
+                  result.model.mesh->topology.num_faces(), shown(result.solution.strain_energy));
+  for (const ShellProbe& p : result.probes)
+    text += fmt::format("probe {}: displacement {}, rotation {}\n", p.name, shown(p.displacement),
+                        shown(p.rotation));
+  for (const ShellSolution::Reaction& r : result.solution.reactions)
+    text += fmt::format("reaction at {}: force {}, moment {}\n", r.where, shown(r.resultant.force),
+                        shown(r.resultant.moment));
+  return text + summary(result.checks);
 }
 
 /// Names the checks that failed, after the results were written: they may still tell why.
@@ -87,16 +112,8 @@ std::string SolveCommand::repeated() const {
   return text;
 }
 
-void SolveCommand::operator()() const {
-  const Run current(run);
-  check_output_folder(output);
-  const Problem settings = read_problem(problem, overrides);
-  std::optional<Progress> progress;
-  PlaneResult result = run_problem(settings, {.repair = repair}, [&](std::string_view phase) {
-    progress.reset();
-    progress.emplace(fmt::format("{}: {}", problem.string(), phase));
-  });
-  progress.reset();
+template <class Result>
+void SolveCommand::hand_over(Result result, const Run& current) const {
   for (const std::string& r : result.model.remarks)
     remark(r);
   result.timings.emplace_back("total", current.seconds());
@@ -111,6 +128,26 @@ void SolveCommand::operator()() const {
                           : fmt::format("results in {}: report.html, result.vtu, result.json\n",
                                         output.string())));
   require_passed(problem, result.checks);
+}
+
+void SolveCommand::operator()() const {
+  const Run current(run);
+  check_output_folder(output);
+  const Problem settings = read_problem(problem, overrides);
+  std::optional<Progress> progress;
+  const auto on_phase = [&](std::string_view phase) {
+    progress.reset();
+    progress.emplace(fmt::format("{}: {}", problem.string(), phase));
+  };
+  const auto solve_with = [&](const auto& solver) {
+    auto result = solver(settings, ModelOptions{.repair = repair}, on_phase);
+    progress.reset();
+    hand_over(std::move(result), current);
+  };
+  if (settings.model.kind == ModelKind::mitc4)
+    solve_with(run_shell_problem);
+  else
+    solve_with(run_problem);
 }
 
 }  // namespace

@@ -73,12 +73,12 @@ std::string expected_keys() {
 TEST(ProblemManual, ItsKeysAreThoseOfTheSchema) {
   const std::string text = manual();
   const std::size_t begin = text.find("### At the top");
-  const std::size_t end = text.find("## Selections");
+  const std::size_t end = text.find("## Shells");
   ASSERT_LT(begin, end);
   ASSERT_NE(end, std::string::npos);
   EXPECT_EQ(text.substr(begin, end - begin), expected_keys())
       << "docs/problem-file.md must read as the second text from '### At the top' to '## "
-         "Selections'";
+         "Shells'";
 }
 
 TEST(ProblemManual, ItsFunctionsAreThoseOfFormulas) {

@@ -31,6 +31,15 @@ inline const std::string& full() {
   return text;
 }
 
+/// A shell with every key that only shells have.
+inline const std::string& full_shell() {
+  static const std::string text = [] {
+    std::ifstream file(LIMES_TEST_DATA_DIR "/study/full_shell.toml");
+    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }();
+  return text;
+}
+
 inline Problem parse(std::string_view text, const std::vector<std::string>& overrides = {}) {
   return parse_problem(text, "p.toml", overrides);
 }
@@ -91,6 +100,16 @@ class Draft {
     if (table == "load") set(table, "where", "\"all\"");
     if (table == "load" && find_key(table, key)->need != Need::one_of)
       set(table, "force", "[0, 0]");
+    if (table == "geometry") {
+      set("model", "kind", "\"mitc4\"");
+      set(table, "kind", "\"sphere\"");
+      set(table, "radius", "1");
+    }
+    if (table == "support" && (key == "kind" || key == "rotation")) {
+      set("model", "kind", "\"mitc4\"");
+      erase(table, "fix");
+      set(table, "kind", "\"supported\"");
+    }
     if (table == "probe") set(table, "name", "\"a\""), set(table, "at", "[0, 0]");
     if (table == "periodic") set(table, "gradient", "[[1, 0], [0, 1]]");
   }

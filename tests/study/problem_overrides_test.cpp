@@ -32,7 +32,7 @@ TEST(Overrides, ChangeAndAddValues) {
   EXPECT_EQ(p.supports[0].where, "x == 1");
   EXPECT_EQ(p.supports[0].where_line, 0);
   EXPECT_EQ(p.supports[0].line, 33);
-  EXPECT_EQ(p.supports[1].fix, (std::array{true, false, false}));
+  EXPECT_EQ(p.supports[1].fix, (std::array{true, false, false, false, false, false}));
   EXPECT_EQ(p.loads[0].value[2](Vec3::Zero()), -1);
   EXPECT_EQ(p.loads[4].value[0](Vec3(2, 0, 0)), 6);
   EXPECT_EQ(p.loads[1].value[1](Vec3(0, 4, 0)), 4);
@@ -101,13 +101,12 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
       {"title.a\nb=1", "--set title.a?b: ", {"there is no list whose entry 'a?b' could be set"}},
       {"material.0.where.0=1", "--set material.0.where.0: ", {"the file has no 'where'"}},
       {"load.0=1", "--set load.0: ", {"[[load]] is a table; name one of its keys"}},
-      {"load.0.moment=[1, 2]", "--set load.0.moment: ", {"not available yet"}},
+      {"seam.0.parts=[1, 2]", "--set seam.0.parts: ", {"[[seam]] is not available yet"}},
       {"probe.0.at.2=1",
        "--set probe.0.at.2: ",
        {"no entry 2 of the list; they count from 0 to 1"}},
       {"probe.0.at.q=1", "--set probe.0.at.q: ", {"'q' is no number of an entry"}},
       {"adapt.mark=0.5", "--set adapt.mark: ", {"[adapt] is not available yet"}},
-      {"geometry.kind=3", "--set geometry.kind: ", {"[geometry] is not available yet"}},
       {"a\nb=1", "--set a?b: ", {"a problem has no 'a?b'"}},
       {"title=\xff", "--set ", {"no valid UTF-8"}},
   };
@@ -134,7 +133,7 @@ TEST(Overrides, ValuesThatDoNotFitNameTheOverride) {
       {"load.0.pressure=1", "--set load.0.pressure: ", {"has both force_per_area and pressure"}},
       {"support.0.where=bondary", "--set support.0.where: ", {"did you mean 'boundary'?"}},
       {"probe.1.name=corner", "--set probe.1.name: ", {"'corner' is taken"}},
-      {"model.kind=mitc4", "--set model.kind: ", {"not available yet"}},
+      {"model.kind=kirchhoff-love", "--set model.kind: ", {"not available yet"}},
       {"periodic.gradient=[[0, 0], [0, 0]]", "--set periodic.gradient: ", {"determinant"}},
       {"title=5", "--set title: ", {"is 5; it must be text"}},
   };

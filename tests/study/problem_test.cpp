@@ -55,10 +55,10 @@ TEST(Problem, ReadsEverything) {
 
   ASSERT_EQ(p.supports.size(), 2U);
   EXPECT_EQ(p.supports[0].where, "x == 0");
-  EXPECT_EQ(p.supports[0].fix, (std::array{true, false, true}));
+  EXPECT_EQ(p.supports[0].fix, (std::array{true, false, true, false, false, false}));
   EXPECT_EQ(p.supports[0].line, 33);
   EXPECT_EQ(p.supports[0].where_line, 34);
-  EXPECT_EQ(p.supports[1].fix, (std::array{false, true, false}));
+  EXPECT_EQ(p.supports[1].fix, (std::array{false, true, false, false, false, false}));
 
   ASSERT_EQ(p.probes.size(), 2U);
   EXPECT_EQ(p.probes[0].name, "corner");
@@ -90,17 +90,65 @@ TEST(Problem, ReadsEveryKindOfLoad) {
   EXPECT_EQ(value(4), Vec3(14, 0, 0));
 }
 
+TEST(Problem, ReadsWhatOnlyShellsHave) {
+  const Problem p = parse(full_shell());
+  EXPECT_TRUE(p.mesh.exact);
+  ASSERT_TRUE(p.geometry);
+  EXPECT_EQ(p.geometry->kind, GeometrySettings::Kind::sphere);
+  EXPECT_EQ(p.geometry->point, Vec3(1, 2, 3));
+  EXPECT_EQ(p.geometry->axis, Vec3(0, 1, 0));
+  EXPECT_EQ(p.geometry->radius, 10);
+  EXPECT_EQ(p.geometry->height(Vec3(2, 3, 0)), 6);
+  EXPECT_EQ(p.model.kind, ModelKind::mitc4);
+  EXPECT_EQ(p.model.shear_factor, 1);
+  EXPECT_EQ(p.model.kink_angle, 45);
+  ASSERT_EQ(p.supports.size(), 2U);
+  EXPECT_EQ(p.supports[0].kind, SupportKind::supported);
+  EXPECT_TRUE(p.supports[0].hard);
+  EXPECT_EQ(p.supports[1].kind, SupportKind::listed);
+  EXPECT_EQ(p.supports[1].fix, (std::array{true, false, false, false, true, false}));
+  EXPECT_EQ(p.loads.at(0).kind, LoadKind::moment);
+}
+
+TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
+  const std::string text = Draft().text();
+  for (const char* kind : {"sphere", "graph"})
+    expect_message(message_of<InputError>(text + fmt::format("[geometry]\nkind = \"{}\"\n", kind)),
+                   "p.toml:11: [geometry] ", {"is missing; a ", kind});
+  const auto with = [&](const std::string& more) { return message_of<InputError>(text + more); };
+  expect_message(with("[geometry]\nkind = \"sphere\"\nradius = 1\n"),
+                 "p.toml:11: [geometry] is for shells", {"mitc4"});
+  expect_message(with("[[support]]\nwhere = \"all\"\nkind = \"clamped\"\n"),
+                 "p.toml:11: [[support]] kind is for shells", {"use fix"});
+  expect_message(with("[[support]]\nwhere = \"all\"\nfix = [\"rx\"]\n"),
+                 "p.toml:11: plane models have no rotations", {"fix ux, uy or both"});
+  expect_message(with("[[load]]\nwhere = \"all\"\nmoment = [0, 0, 1]\n"),
+                 "p.toml:11: a moment is for shells", {"use forces"});
+  expect_message(
+      message_of<InputError>(full_shell() + "\n[periodic]\ngradient = [[1, 0.1], [0, 1]]\n"),
+      "p.toml:", {"a periodic cell is plane"});
+}
+
 TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
   const Problem p = parse(Draft().text());
+  const GeometrySettings geometry;
+  const auto vector = [](const Vec3& v) {
+    return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+  };
   // what the structures hold when a key is absent, as the table says it
   const std::map<std::string, std::string> held{
       {"mesh scheme", p.mesh.scheme},
       {"mesh levels", fmt::format("{}", p.mesh.levels)},
-      {"mesh placement", "scheme"},
+      {"mesh placement", p.mesh.exact ? "exact" : "scheme"},
       {"model boundary", p.model.boundary == FieldBoundary::free ? "free" : "phantom"},
       {"model kinks", p.model.kinks ? "true" : "false"},
       {"model quadrature_points", fmt::format("{}", p.model.quadrature_points)},
       {"model quadrature_depth", fmt::format("{}", p.model.quadrature_depth)},
+      {"geometry point", vector(geometry.point)},
+      {"geometry axis", vector(geometry.axis)},
+      {"model shear_factor", p.model.shear_factor == 5.0 / 6.0 ? "5/6" : "?"},
+      {"model kink_angle", fmt::format("{}", p.model.kink_angle)},
+      {"support rotation", p.supports.at(0).hard ? "hard" : "soft"},
       {"material thickness", fmt::format("{}", p.materials.at(0).thickness)}};
   for (const Key& key : problem_keys()) {
     const std::string name = std::string(key.table) + " " + std::string(key.name);

@@ -22,6 +22,8 @@ class LoadAssembler {
     if (load_.kind != LoadKind::pressure && !load_.value[2].is_zero())
       throw InputError("{}:{}: plane models carry no load in z; make it 0", file(), load_.line);
     switch (load_.kind) {
+      case LoadKind::moment:
+        break;  // refused by the reader of the file
       case LoadKind::force:
         return at_vertices();
       case LoadKind::force_per_length:

@@ -9,18 +9,13 @@
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
 #include "limes/mesh/repair.h"
-#include "limes/study/selection.h"
+#include "limes/study/materials.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
-
-std::filesystem::path mesh_path(const Problem& problem) {
-  const std::filesystem::path& file = problem.mesh.file;
-  return file.is_absolute() ? file : problem.file.parent_path() / file;
-}
 
 /// BoundaryRule::none: the faces that refinement would leave out only shape the others, as holes do.
 void drop_boundary_faces(PlaneModel& model) {
@@ -32,33 +27,6 @@ void drop_boundary_faces(PlaneModel& model) {
   std::sort(holes.begin(), holes.end());
   holes.erase(std::unique(holes.begin(), holes.end()), holes.end());
   model.boundary = BoundaryRule::edges;
-}
-
-/// Material of every face; -1 where there is none.
-std::vector<int> materials_of_faces(const PlaneModel& model, const Mesh& mesh,
-                                    const Adjacency& adjacency) {
-  const Problem& problem = model.problem;
-  std::vector<int> material(static_cast<std::size_t>(mesh.topology.num_faces()), -1);
-  int rest = -1;
-  for (int m = 0; m < static_cast<int>(problem.materials.size()); ++m) {
-    const MaterialSettings& settings = problem.materials[static_cast<std::size_t>(m)];
-    if (!settings.where) {
-      rest = m;
-      continue;
-    }
-    const Selection chosen(mesh, adjacency, model.limit_points.span(), *settings.where,
-                           problem.file.string(), settings.where_line);
-    for (const FaceId f : chosen.faces()) {
-      int& of_face = material[static_cast<std::size_t>(f.value)];
-      if (of_face >= 0)
-        throw InputError("{}:{}: face {} has two materials, here and in line {}",
-                         problem.file.string(), settings.line, f.value,
-                         problem.materials[static_cast<std::size_t>(of_face)].line);
-      of_face = m;
-    }
-  }
-  std::replace(material.begin(), material.end(), -1, rest);
-  return material;
 }
 
 /// Limit points of the vertices, and the size of the box around them; all in one plane z = const.
@@ -136,7 +104,8 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
   const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme);
   set_limit_points(mesh, basis, model);
 
-  const std::vector<int> material = materials_of_faces(model, mesh, adjacency);
+  const std::vector<int> material =
+      materials_of_faces(problem, mesh, adjacency, model.limit_points.span());
   std::vector<int> regions;
   if (problem.model.kinks)
     for (const int m : material)

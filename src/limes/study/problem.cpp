@@ -16,6 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 using namespace problem_file;
 
+/// Of the keys' words; none: a list of what is fixed.
+SupportKind support_kind(std::string_view name) {
+  if (name == "clamped") return SupportKind::clamped;
+  if (name == "supported") return SupportKind::supported;
+  if (name == "symmetry") return SupportKind::symmetry;
+  if (name == "diaphragm") return SupportKind::diaphragm;
+  return SupportKind::listed;
+}
+
 /// The tables of a document, one kind after the other.
 class ProblemReader {
  public:
@@ -30,11 +39,13 @@ class ProblemReader {
   void read_top();
   void read_mesh();
   void read_model();
+  void read_geometry();
   void read_materials();
   void read_periodic();
   void read_supports();
   void read_loads();
   void read_probes();
+  void check_model() const;
   void check_held() const;
 
   const toml::table& document_;
@@ -88,7 +99,31 @@ void ProblemReader::read_mesh() {
     mesh.file = file;
     table.read("scheme", mesh.scheme);
     table.read("levels", mesh.levels);
-    table.read("placement", placement);  // there is one so far
+    table.read("placement", placement);
+    mesh.exact = placement == "exact";
+    if (mesh.exact && !document_.contains("geometry"))
+      fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+  }
+}
+
+void ProblemReader::read_geometry() {
+  for (const TableReader& table : tables("geometry")) {
+    GeometrySettings& geometry = problem_.geometry.emplace();
+    geometry.line = table.line();
+    std::string kind;
+    table.read("kind", kind);
+    geometry.kind = kind == "sphere"  ? GeometrySettings::Kind::sphere
+                    : kind == "graph" ? GeometrySettings::Kind::graph
+                                      : GeometrySettings::Kind::cylinder;
+    const char* const needed = kind == "graph" ? "height" : "radius";
+    if (!table.has(needed))
+      fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, kind));
+    table.read("height", geometry.height);
+    table.read("point", geometry.point);
+    table.read("axis", geometry.axis);
+    table.read("radius", geometry.radius);
+    if (!(geometry.axis.norm() > 0))
+      fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
   }
 }
 
@@ -99,7 +134,11 @@ void ProblemReader::read_model() {
     std::string kind, boundary;
     table.read("kind", kind);
     table.read("boundary", boundary);
-    model.kind = kind == "plane-strain" ? ModelKind::plane_strain : ModelKind::plane_stress;
+    model.kind = kind == "mitc4"          ? ModelKind::mitc4
+                 : kind == "plane-strain" ? ModelKind::plane_strain
+                                          : ModelKind::plane_stress;
+    table.read("shear_factor", model.shear_factor);
+    table.read("kink_angle", model.kink_angle);
     model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
     table.read("kinks", model.kinks);
     table.read("quadrature_points", model.quadrature_points);
@@ -148,10 +187,19 @@ void ProblemReader::read_supports() {
     support.where_line = table.line("where");
     table.read("where", support.where);
     std::vector<std::string> fix;
-    table.read("fix", fix);
-    constexpr std::array<std::string_view, 3> names{"ux", "uy", "uz"};
+    std::string kind, rotation;
+    if (table.chosen_key() == "fix") table.read("fix", fix);
+    constexpr std::array<std::string_view, 6> names{"ux", "uy", "uz", "rx", "ry", "rz"};
     for (std::size_t i = 0; i < names.size(); ++i)
       support.fix[i] = std::find(fix.begin(), fix.end(), names[i]) != fix.end();
+    if (table.has("kind")) table.read("kind", kind);
+    support.kind = support_kind(kind);
+    table.read("rotation", rotation);
+    support.hard = rotation == "hard";
+    if (!rotation.empty() && support.kind != SupportKind::supported &&
+        support.kind != SupportKind::diaphragm)
+      fail(table.place("rotation"),
+           "rotation belongs to kind = \"supported\" or \"diaphragm\"; remove it");
   }
 }
 
@@ -160,10 +208,12 @@ void ProblemReader::read_loads() {
     std::string_view name;
     LoadKind kind;
   };
-  constexpr std::array kinds{
-      Named{"force", LoadKind::force}, Named{"force_per_length", LoadKind::force_per_length},
-      Named{"force_per_area", LoadKind::force_per_area},
-      Named{"force_per_volume", LoadKind::force_per_volume}, Named{"pressure", LoadKind::pressure}};
+  constexpr std::array kinds{Named{"force", LoadKind::force},
+                             Named{"force_per_length", LoadKind::force_per_length},
+                             Named{"force_per_area", LoadKind::force_per_area},
+                             Named{"force_per_volume", LoadKind::force_per_volume},
+                             Named{"pressure", LoadKind::pressure},
+                             Named{"moment", LoadKind::moment}};
   for (const TableReader& table : tables("load")) {
     LoadSettings& load = problem_.loads.emplace_back();
     load.line = table.line();
@@ -200,15 +250,41 @@ void ProblemReader::check_held() const {
          "three fixed displacements");
 }
 
+/// Each model has keys that mean nothing to the other.
+void ProblemReader::check_model() const {
+  const auto fail_at = [&](int line, const char* what) {
+    throw InputError("{}:{}: {}", file_, line, what);
+  };
+  if (problem_.model.kind == ModelKind::mitc4) {
+    if (problem_.periodic)
+      fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
+    return;
+  }
+  if (problem_.geometry)
+    fail_at(problem_.geometry->line,
+            "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
+  for (const SupportSettings& s : problem_.supports) {
+    if (s.kind != SupportKind::listed)
+      fail_at(s.line, "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
+    if (s.fix[3] || s.fix[4] || s.fix[5])
+      fail_at(s.line, "plane models have no rotations; fix ux, uy or both");
+  }
+  for (const LoadSettings& load : problem_.loads)
+    if (load.kind == LoadKind::moment)
+      fail_at(load.line, "a moment is for shells, [model] kind = \"mitc4\"; use forces");
+}
+
 Problem ProblemReader::read() {
   read_top();
   read_mesh();
   read_model();
+  read_geometry();
   read_materials();
   read_periodic();
   read_supports();
   read_loads();
   read_probes();
+  check_model();
   check_held();
   return std::move(problem_);
 }

@@ -20,6 +20,18 @@ struct MeshSettings {
   std::filesystem::path file;  ///< relative names are meant from the problem file's folder
   std::string scheme = "catmull-clark";
   int levels = 0;
+  bool exact = false;  ///< vertices are placed on [geometry], see GeometrySettings
+  int line = 0;
+};
+
+/// A surface that is known exactly; shells take vertices and directors from it.
+struct GeometrySettings {
+  enum class Kind { cylinder, sphere, graph };
+  Kind kind = Kind::cylinder;
+  Vec3 point = Vec3::Zero();  ///< of the axis, or the centre
+  Vec3 axis = Vec3::UnitZ();  ///< of a cylinder; of any length > 0
+  double radius = 1;          ///< > 0
+  Expression height;          ///< z of a graph
   int line = 0;
 };
 
@@ -31,7 +43,7 @@ struct MaterialSettings {
   int line = 0, where_line = 0;
 };
 
-enum class ModelKind { plane_stress, plane_strain };
+enum class ModelKind { plane_stress, plane_strain, mitc4 };
 
 /// How the field continues beyond the boundary of the mesh, see space/extended_mesh.h.
 enum class FieldBoundary { free, phantom };
@@ -39,9 +51,11 @@ enum class FieldBoundary { free, phantom };
 struct ModelSettings {
   ModelKind kind = ModelKind::plane_stress;
   FieldBoundary boundary = FieldBoundary::free;
-  bool kinks = true;          ///< the field may kink where materials meet
-  int quadrature_points = 3;  ///< Gauss points per direction and tile, 2 to 8
-  int quadrature_depth = 4;   ///< rings of tiles around an extraordinary vertex, 0 to 30
+  bool kinks = true;                ///< the field may kink where materials meet
+  int quadrature_points = 3;        ///< Gauss points per direction and tile, 2 to 8
+  int quadrature_depth = 4;         ///< rings of tiles around an extraordinary vertex, 0 to 30
+  double shear_factor = 5.0 / 6.0;  ///< of shells, > 0
+  double kink_angle = 20;           ///< of shells, in degrees
   int line = 0;
 };
 
@@ -51,13 +65,18 @@ struct PeriodicSettings {
   int line = 0;
 };
 
+/// Usual supports of shells, see shell_supports.h.
+enum class SupportKind { listed, clamped, supported, symmetry, diaphragm };
+
 struct SupportSettings {
   std::string where;
-  std::array<bool, 3> fix{};  ///< ux, uy, uz
+  SupportKind kind = SupportKind::listed;
+  bool hard = false;          ///< the rotation of the director along the edge is held as well
+  std::array<bool, 6> fix{};  ///< ux, uy, uz, rx, ry, rz; of SupportKind::listed
   int line = 0, where_line = 0;
 };
 
-enum class LoadKind { force, force_per_length, force_per_area, force_per_volume, pressure };
+enum class LoadKind { force, force_per_length, force_per_area, force_per_volume, pressure, moment };
 
 struct LoadSettings {
   std::string where;
@@ -83,6 +102,7 @@ struct Problem {
   std::string title;
   UnitSettings units;
   MeshSettings mesh;
+  std::optional<GeometrySettings> geometry;
   std::vector<MaterialSettings> materials;  ///< at least one
   ModelSettings model;
   std::optional<PeriodicSettings> periodic;

@@ -1,5 +1,7 @@
 #include "limes/study/run.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -33,6 +35,24 @@ class Phases {
   std::vector<std::pair<std::string, double>>& timings_;
 };
 
+template <class Result>
+void write_all(const std::filesystem::path& folder, const Result& result) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError("{}: cannot be made: {}", folder.string(), error.message());
+  AtomicFiles files;
+  const auto write = [&](const std::string& name, std::string_view bytes) {
+    files.add(folder / name).write(bytes);
+  };
+  AtomicFile& vtu = files.add(folder / "result.vtu");
+  write_result_vtu([&](std::string_view bytes) { vtu.write(bytes); }, result);
+  for (const ReportFile& file : report_files(result))
+    write(file.name, file.bytes);
+  write("result.json", result_json(result).dump(2) + "\n");
+  check_interrupt();
+  files.commit();
+}
+
 }  // namespace
 
 PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
@@ -50,21 +70,31 @@ PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
   return result;
 }
 
+ShellResult run_shell_problem(const Problem& problem, const ModelOptions& options,
+                              const PhaseCallback& on_phase) {
+  std::vector<std::pair<std::string, double>> timings;
+  Phases phase(on_phase, timings);
+  ShellResult result{
+      phase("model", [&] { return read_shell_model(problem, options); }), {}, {}, {}, {}, 0, {}};
+  result.solution = phase("solve", [&] { return solve_shell(result.model); });
+  result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
+  for (const ShellProbe& p : result.probes)
+    if (p.distance > 0.01 * result.model.diagonal)
+      result.model.remarks.push_back(
+          fmt::format("{}: probe '{}' is {:.3g} away from the surface; its values are those of the "
+                      "nearest point",
+                      problem.file.string(), p.name, p.distance));
+  result.checks = phase("checks", [&] { return check_solution(result.model, result.solution); });
+  result.timings = std::move(timings);
+  return result;
+}
+
 void write_results(const std::filesystem::path& folder, const PlaneResult& result) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError("{}: cannot be made: {}", folder.string(), error.message());
-  AtomicFiles files;
-  const auto write = [&](const std::string& name, std::string_view bytes) {
-    files.add(folder / name).write(bytes);
-  };
-  AtomicFile& vtu = files.add(folder / "result.vtu");
-  write_result_vtu([&](std::string_view bytes) { vtu.write(bytes); }, result);
-  for (const ReportFile& file : report_files(result))
-    write(file.name, file.bytes);
-  write("result.json", result_json(result).dump(2) + "\n");
-  check_interrupt();
-  files.commit();
+  write_all(folder, result);
+}
+
+void write_results(const std::filesystem::path& folder, const ShellResult& result) {
+  write_all(folder, result);
 }
 
 }  // namespace limes

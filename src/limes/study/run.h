@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "limes/study/result_files.h"
+#include "limes/study/shell_result.h"
 
 namespace limes {
 
@@ -13,8 +14,14 @@ using PhaseCallback = std::function<void(std::string_view phase)>;
 [[nodiscard]] PlaneResult run_problem(const Problem& problem, const ModelOptions& options = {},
                                       const PhaseCallback& on_phase = {});
 
+/// The same for a shell, [model] kind = "mitc4".
+[[nodiscard]] ShellResult run_shell_problem(const Problem& problem,
+                                            const ModelOptions& options = {},
+                                            const PhaseCallback& on_phase = {});
+
 /// Writes result.json, result.vtu, report.html and its pictures into a folder, which is made if it
 /// is not there: all of them, or none of them is changed. @throws OutputError
 void write_results(const std::filesystem::path& folder, const PlaneResult& result);
+void write_results(const std::filesystem::path& folder, const ShellResult& result);
 
 }  // namespace limes

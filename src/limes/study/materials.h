@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "limes/mesh/adjacency.h"
+#include "limes/mesh/mesh.h"
+#include "limes/study/problem.h"
+
+namespace limes {
+
+/// The mesh file, meant from the problem file's folder.
+[[nodiscard]] std::filesystem::path mesh_path(const Problem& problem);
+
+/// Index in problem.materials of the material of every face; -1 where there is none.
+/// @param points  limit position of every vertex
+/// @throws InputError for a face with two materials
+[[nodiscard]] std::vector<int> materials_of_faces(const Problem& problem, const Mesh& mesh,
+                                                  const Adjacency& adjacency,
+                                                  std::span<const Vec3> points);
+
+}  // namespace limes

@@ -1,0 +1,115 @@
+#include "limes/study/shell_loads.h"
+
+#include <cmath>
+
+#include "limes/core/error.h"
+#include "limes/study/selection.h"
+
+namespace limes {
+namespace {
+
+class ShellLoad {
+ public:
+  ShellLoad(const ShellModel& model, const LoadSettings& load)
+      : model_(model),
+        load_(load),
+        chosen_(*model.mesh, *model.adjacency, model.mesh->points.span(), load.where,
+                model.problem.file.string(), load.where_line) {}
+
+  void add_to(VectorX& f) const {
+    switch (load_.kind) {
+      case LoadKind::force:
+      case LoadKind::moment:
+        return at_vertices(f);
+      case LoadKind::force_per_length:
+        return along_edges(f);
+      case LoadKind::force_per_area:
+      case LoadKind::force_per_volume:
+      case LoadKind::pressure:
+        return on_faces(f);
+    }
+  }
+
+ private:
+  [[nodiscard]] InputError error(const std::string& what) const {
+    return InputError("{}:{}: {}", model_.problem.file.string(), load_.line, what);
+  }
+  [[nodiscard]] double component(std::size_t i, const Vec3& x) const {
+    const double value = load_.value[i](x);
+    if (!std::isfinite(value))
+      throw error(fmt::format("'{}' has no finite value at ({:.6g}, {:.6g}, {:.6g})",
+                              load_.value[i].text(), x.x(), x.y(), x.z()));
+    return value;
+  }
+  [[nodiscard]] Vec3 value(const Vec3& x) const {
+    return {component(0, x), component(1, x), component(2, x)};
+  }
+
+  void require_carried(VertexId v, const Vec3& moment) const {
+    if (!model_.smooth[v]) return;
+    const double about = moment.dot(model_.director[model_.adjacency->ring_start(v)]);
+    if (std::abs(about) > 1e-9 * moment.norm())
+      throw error(
+          fmt::format("the moment at vertex {} has the part {:.6g} about the shell's normal, "
+                      "which a smooth shell does not carry; take it out",
+                      v.value, about));
+  }
+
+  void at_vertices(VectorX& f) const {
+    const bool moment = load_.kind == LoadKind::moment;
+    for (int v = 0; v < model_.mesh->points.size(); ++v) {
+      if (!chosen_.vertices()[static_cast<std::size_t>(v)]) continue;
+      const Vec3 p = value(model_.mesh->points[VertexId(v)]);
+      if (moment) require_carried(VertexId(v), p);
+      f.segment<3>(6 * v + (moment ? 3 : 0)) += p;
+    }
+  }
+
+  void along_edges(VectorX& f) const {
+    const std::vector<HalfedgeId> edges = chosen_.boundary_edges();
+    if (edges.empty())
+      throw error(fmt::format(
+          "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
+    for (const HalfedgeId h : edges) {
+      const FaceId face = model_.adjacency->face(h);
+      model_.scatter(face,
+                     shell_side_load(model_.quad(face), model_.adjacency->corner_index(h),
+                                     [&](const Vec3& x) { return value(x); }),
+                     f);
+    }
+  }
+
+  void on_faces(VectorX& f) const {
+    const std::vector<FaceId> faces = chosen_.faces();
+    if (faces.empty())
+      throw error(fmt::format("'{}' selects no face; all vertices of a face must be selected",
+                              load_.where));
+    for (const FaceId face : faces) {
+      const double factor =
+          load_.kind == LoadKind::force_per_volume ? model_.section(face).thickness : 1;
+      model_.scatter(face,
+                     shell_area_load(model_.quad(face),
+                                     [&](const Vec3& x, const Vec3& normal) -> Vec3 {
+                                       if (load_.kind == LoadKind::pressure)
+                                         return -component(0, x) * normal;
+                                       return factor * value(x);
+                                     }),
+                     f);
+    }
+  }
+
+  const ShellModel& model_;
+  const LoadSettings& load_;
+  Selection chosen_;
+};
+
+}  // namespace
+
+VectorX assemble_shell_loads(const ShellModel& model) {
+  VectorX f = VectorX::Zero(model.num_unknowns());
+  for (const LoadSettings& load : model.problem.loads)
+    ShellLoad(model, load).add_to(f);
+  return f;
+}
+
+}  // namespace limes

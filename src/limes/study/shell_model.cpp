@@ -1,0 +1,201 @@
+#include "limes/study/shell_model.h"
+
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/io/io.h"
+#include "limes/limit/limit_surface.h"
+#include "limes/mesh/defects.h"
+#include "limes/mesh/repair.h"
+#include "limes/study/exact_surface.h"
+#include "limes/study/materials.h"
+#include "limes/study/shell_directors.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+/// Nodes halfway between others, then moved onto the exact surface; level by level.
+Mesh refined_on(const Problem& problem, Mesh mesh) {
+  const GeometrySettings& surface = *problem.geometry;
+  for (int level = 0;; ++level) {
+    try {
+      for (Vec3& x : mesh.points)
+        x = project(surface, x);
+    } catch (const InputError& error) {
+      throw InputError("{}:{}: {}", problem.file.string(), surface.line, error.what());
+    }
+    if (level == problem.mesh.levels) return mesh;
+    mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+  }
+}
+
+void require_quads(const Mesh& mesh, const std::string& file) {
+  const Topology& t = mesh.topology;
+  for (int f = 0; f < t.num_faces(); ++f)
+    if (t.face_size(FaceId(f)) != 4)
+      throw InputError(
+          "{}: face {} has {} corners; elements of kind \"mitc4\" have 4, levels = 1 makes them",
+          file, f, t.face_size(FaceId(f)));
+}
+
+/// Normal of the bilinear face at each of its corners.
+IdArray<HalfedgeId, Vec3> face_normals(const Mesh& mesh, const std::string& file) {
+  const Topology& t = mesh.topology;
+  IdArray<HalfedgeId, Vec3> out(static_cast<std::size_t>(t.num_corners()));
+  for (int f = 0; f < t.num_faces(); ++f)
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [&](int k) {
+        return mesh.points[t.face(FaceId(f))[static_cast<std::size_t>(k % 4)]];
+      };
+      const Vec3 a = corner(i + 1) - corner(i), b = corner(i + 3) - corner(i);
+      const Vec3 n = a.cross(b);
+      if (!(n.norm() > 1e-12 * a.norm() * b.norm()))
+        throw InputError(
+            "{}: face {} of the refined mesh has no normal at its corner {}: its sides "
+            "there are parallel",
+            file, f, i);
+      out[t.halfedge(FaceId(f), i)] = n.normalized();
+    }
+  return out;
+}
+
+/// Limit points become nodes; returns the limit surface's normal at each corner.
+IdArray<HalfedgeId, Vec3> move_to_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary) {
+  const Adjacency adjacency(mesh.topology);
+  const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, boundary), scheme);
+  const LimitSurface surface(basis, mesh.points.span());
+  IdArray<HalfedgeId, Vec3> normal(static_cast<std::size_t>(mesh.topology.num_corners()));
+  for (int f = 0; f < mesh.topology.num_faces(); ++f)
+    for (int i = 0; i < 4; ++i) {
+      constexpr std::array<std::array<double, 2>, 4> at{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+      const Vec2 uv(at[static_cast<std::size_t>(i)][0], at[static_cast<std::size_t>(i)][1]);
+      SurfacePoint p = surface.evaluate(FaceId(f), 0, uv);
+      // at a cusp the normal is that of the face nearby
+      if (!p.normal) p = surface.evaluate(FaceId(f), 0, uv + 1e-3 * (Vec2(0.5, 0.5) - uv));
+      if (!p.normal) throw InputError("face {} has no normal at its corner {}", f, i);
+      normal[mesh.topology.halfedge(FaceId(f), i)] = *p.normal;
+    }
+  mesh.points = limit_positions(surface, mesh.points.span());
+  return normal;
+}
+
+void set_exact_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal) {
+  const Topology& t = model.mesh->topology;
+  model.smooth = IdArray<VertexId, char>(static_cast<std::size_t>(t.num_vertices()), 1);
+  model.director = IdArray<HalfedgeId, Vec3>(static_cast<std::size_t>(t.num_corners()));
+  for (int h = 0; h < t.num_corners(); ++h) {
+    const Vec3 n =
+        outward_normal(*model.problem.geometry, model.mesh->points[t.corner(HalfedgeId(h))]);
+    const bool inward = n.dot(corner_normal[HalfedgeId(h)]) < 0;  // faces say which side is up
+    model.director[HalfedgeId(h)] = inward ? Vec3(-n) : n;
+  }
+}
+
+void set_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal) {
+  if (model.problem.geometry) return set_exact_directors(model, corner_normal);
+  Directors directors =
+      mean_directors(*model.adjacency, corner_normal, model.problem.model.kink_angle);
+  model.director = std::move(directors.at_corner);
+  model.smooth = std::move(directors.smooth);
+}
+
+void set_size(ShellModel& model) {
+  Eigen::AlignedBox3d box;
+  for (int v = 0; v < model.mesh->points.size(); ++v)
+    if (model.adjacency->ring_start(VertexId(v)).valid())
+      box.extend(model.mesh->points[VertexId(v)]);
+  model.diagonal = box.diagonal().norm();
+  model.centre = box.center();
+}
+
+void set_materials(ShellModel& model) {
+  const Problem& problem = model.problem;
+  model.material_of_face =
+      materials_of_faces(problem, *model.mesh, *model.adjacency, model.mesh->points.span());
+  for (std::size_t f = 0; f < model.material_of_face.size(); ++f)
+    if (model.material_of_face[f] < 0)
+      throw InputError("{}: face {} of the refined mesh has no material; give one without 'where'",
+                       problem.file.string(), f);
+}
+
+}  // namespace
+
+ShellQuad ShellModel::quad(FaceId face) const {
+  ShellQuad out;
+  for (int i = 0; i < 4; ++i) {
+    const HalfedgeId h = mesh->topology.halfedge(face, i);
+    out.x[static_cast<std::size_t>(i)] = mesh->points[mesh->topology.corner(h)];
+    out.director[static_cast<std::size_t>(i)] = director[h];
+  }
+  return out;
+}
+
+ShellSection ShellModel::section(FaceId face) const {
+  const auto m = static_cast<std::size_t>(material_of_face[static_cast<std::size_t>(face.value)]);
+  const MaterialSettings& material = problem.materials[m];
+  return {material.young, material.poisson, material.thickness, problem.model.shear_factor};
+}
+
+ShellVector ShellModel::unknowns(FaceId face, const VectorX& u) const {
+  ShellVector out;
+  for (int i = 0; i < 4; ++i)
+    out.segment<6>(6 * i) =
+        u.segment<6>(6 * mesh->topology.corner(mesh->topology.halfedge(face, i)).value);
+  return out;
+}
+
+void ShellModel::scatter(FaceId face, const ShellVector& element, VectorX& out) const {
+  for (int i = 0; i < 4; ++i)
+    out.segment<6>(6 * mesh->topology.corner(mesh->topology.halfedge(face, i)).value) +=
+        element.segment<6>(6 * i);
+}
+
+ShellModel build_shell_model(const Problem& problem, Mesh control) {
+  const std::string file = mesh_path(problem).string();
+  require_refinable(control, file);
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  if (scheme.split != Split::quads || !(has_exact_limit(scheme) || scheme.interpolatory))
+    throw InputError(
+        "{}:{}: scheme \"{}\" gives no quads with points on its surface; kind \"mitc4\" takes "
+        "catmull-clark, kobbelt or linear",
+        problem.file.string(), problem.mesh.line, problem.mesh.scheme);
+  if (!control.tags.holes.empty())
+    throw InputError(
+        "{}: face {} is a hole; kind \"mitc4\" knows no hole faces, leave them out of the mesh",
+        file, control.tags.holes.front().value);
+  ShellModel model;
+  model.problem = problem;
+  model.control = std::move(control);
+  const BoundaryRule boundary = model.control.tags.boundary.value_or(BoundaryRule::edges);
+  Mesh mesh = problem.mesh.exact ? refined_on(problem, model.control)
+                                 : refine(model.control, scheme,
+                                          {.levels = problem.mesh.levels, .boundary = boundary});
+  require_quads(mesh, file);
+  IdArray<HalfedgeId, Vec3> normal;
+  if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
+    normal = move_to_limit(mesh, scheme, boundary);
+  const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, file);
+  model.mesh = std::make_unique<Mesh>(std::move(mesh));
+  model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
+  set_directors(model, normal.empty() ? flat : normal);
+  set_size(model);
+  set_materials(model);
+  return model;
+}
+
+ShellModel read_shell_model(const Problem& problem, const ModelOptions& options) {
+  MeshFile file = read_mesh(mesh_path(problem));
+  std::vector<std::string> remarks = std::move(file.remarks);
+  if (options.repair) {
+    RepairResult repaired = repair(file.mesh);
+    file.mesh = std::move(repaired.mesh);
+    remarks.insert(remarks.end(), repaired.done.begin(), repaired.done.end());
+  }
+  ShellModel model = build_shell_model(problem, std::move(file.mesh));
+  model.remarks = std::move(remarks);
+  return model;
+}
+
+}  // namespace limes

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limes/fem/mitc4.h"
+#include "limes/mesh/adjacency.h"
+#include "limes/study/plane_model.h"
+
+namespace limes {
+
+/// A shell problem on its mesh of four-node elements: what was read, refined, placed, selected.
+/// Unknown 6 v + i is displacement i of vertex v, 6 v + 3 + i its rotation about axis i.
+struct ShellModel {
+  Problem problem;
+  Mesh control;                          ///< as in the file
+  std::unique_ptr<Mesh> mesh;            ///< quads; points are the nodes
+  std::unique_ptr<Adjacency> adjacency;  ///< of *mesh
+
+  /// Director at each corner of each face; one and the same around a smooth node.
+  IdArray<HalfedgeId, Vec3> director;
+  /// Nodes with one director: their rotation about it is no unknown. The others are on kinks.
+  IdArray<VertexId, char> smooth;
+  std::vector<int> material_of_face;  ///< index in problem.materials
+  double diagonal = 0;                ///< of the box around the nodes
+  Vec3 centre = Vec3::Zero();         ///< of that box
+  std::vector<std::string> remarks;
+
+  [[nodiscard]] int num_unknowns() const { return 6 * mesh->points.size(); }
+  [[nodiscard]] ShellQuad quad(FaceId face) const;
+  [[nodiscard]] ShellSection section(FaceId face) const;
+  /// Unknowns of an element.
+  [[nodiscard]] ShellVector unknowns(FaceId face, const VectorX& u) const;
+  /// Adds an element's vector at its place.
+  void scatter(FaceId face, const ShellVector& element, VectorX& out) const;
+};
+
+/// Refines a control mesh, places nodes and directors, finds the materials.
+///
+/// Nodes are the limit points of the scheme, or refined halfway and put on the exact surface after
+/// every level. Directors are the exact surface's normals, else the limit surface's, else (bilinear
+/// and interpolatory schemes) means of the faces' normals between kinks.
+/// @throws InputError for a mesh that cannot be refined, has faces that are no quads or degenerate
+///         ones, and for faces with no material or two
+[[nodiscard]] ShellModel build_shell_model(const Problem& problem, Mesh control);
+
+/// The same for the mesh file that the problem names.
+[[nodiscard]] ShellModel read_shell_model(const Problem& problem, const ModelOptions& options = {});
+
+}  // namespace limes

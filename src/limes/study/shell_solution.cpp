@@ -1,0 +1,153 @@
+#include "limes/study/shell_solution.h"
+
+#include <cmath>
+
+#include "limes/core/error.h"
+#include "limes/core/interrupt.h"
+#include "limes/core/parallel.h"
+#include "limes/limit/closest_point.h"
+#include "limes/solve/linear.h"
+#include "limes/study/shell_loads.h"
+#include "limes/study/shell_supports.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+ShellResultant resultant_of(const ShellModel& model, const VectorX& f, const Vec3& about) {
+  ShellResultant out;
+  for (int v = 0; v < model.mesh->points.size(); ++v) {
+    const Vec3 force = f.segment<3>(6 * v);
+    out.force += force;
+    out.moment += (model.mesh->points[VertexId(v)] - about).cross(force) + f.segment<3>(6 * v + 3);
+  }
+  return out;
+}
+
+/// Rows of length 1.
+SparseMatrix row_matrix(const std::vector<ConstraintRow>& rows, int num_unknowns) {
+  std::vector<Triplet> entries;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    double square = 0;
+    for (const auto& entry : rows[r])
+      square += entry.second * entry.second;
+    for (const auto& [unknown, weight] : rows[r])
+      entries.emplace_back(static_cast<int>(r), unknown, weight / std::sqrt(square));
+  }
+  SparseMatrix C(static_cast<Eigen::Index>(rows.size()), num_unknowns);
+  C.setFromTriplets(entries.begin(), entries.end());
+  return C;
+}
+
+/// Splits the residual K u - f = C^T lambda among the supports. Conditions that two supports share are
+/// carried by both.
+void set_reactions(const ShellModel& model, const ShellConstraints& supports, const VectorX& f,
+                   const VectorX& residual, ShellSolution& solution) {
+  const SparseMatrix C = row_matrix(supports.rows, model.num_unknowns());
+  const VectorX lambda = DirectSolver(SparseMatrix(C * C.transpose())).solve(C * residual);
+  solution.imbalance = resultant_of(model, f, model.centre);
+  for (const ShellConstraints::Source& source : supports.sources) {
+    VectorX own = VectorX::Zero(residual.size());
+    for (int r = source.first; r < source.last; ++r)
+      for (SparseMatrix::InnerIterator it(C, r); it; ++it)
+        own(it.col()) += lambda(r) * it.value();
+    solution.reactions.push_back({source.where, resultant_of(model, own, Vec3::Zero())});
+    const ShellResultant part = resultant_of(model, own, model.centre);
+    solution.imbalance.force += part.force;
+    solution.imbalance.moment += part.moment;
+  }
+}
+
+double load_size(const VectorX& f) {
+  double sum = 0;
+  for (Eigen::Index v = 0; v < f.size() / 6; ++v)
+    sum += f.segment<3>(6 * v).norm();
+  return sum;
+}
+
+}  // namespace
+
+SparseMatrix shell_matrix(const ShellModel& model) {
+  const Topology& t = model.mesh->topology;
+  const int n = t.num_faces();
+  std::vector<ShellMatrix> element(static_cast<std::size_t>(n));
+  for_each_index(n, [&](std::int64_t f) {
+    element[static_cast<std::size_t>(f)] =
+        mitc4_stiffness(model.quad(FaceId(f)), model.section(FaceId(f)));
+  });
+  std::vector<Triplet> entries;
+  entries.reserve(static_cast<std::size_t>(n) * 576);
+  for (int f = 0; f < n; ++f)
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 24; ++j) {
+        const auto corners = t.face(FaceId(f));
+        entries.emplace_back(6 * corners[static_cast<std::size_t>(i / 6)].value + i % 6,
+                             6 * corners[static_cast<std::size_t>(j / 6)].value + j % 6,
+                             element[static_cast<std::size_t>(f)](i, j));
+      }
+  SparseMatrix K(model.num_unknowns(), model.num_unknowns());
+  K.setFromTriplets(entries.begin(), entries.end());
+  return K;
+}
+
+ShellSolution solve_shell(const ShellModel& model) {
+  ShellSolution solution;
+  const ShellConstraints supports = shell_support_constraints(model);
+  require_no_rigid_motion(model, supports);
+  std::vector<ConstraintRow> rows = drilling_constraints(model);
+  rows.insert(rows.end(), supports.rows.begin(), supports.rows.end());
+  const VectorX f = assemble_shell_loads(model);
+  check_interrupt();
+  const SparseMatrix K = shell_matrix(model);
+  const Elimination fix = eliminate(model.num_unknowns(), rows);
+  check_interrupt();
+  const SparseMatrix reduced = fix.T.transpose() * K * fix.T;
+  const VectorX load = fix.T.transpose() * f;
+  const DirectSolver solver(reduced);
+  const MatrixX free = solver.solve(load);
+  solution.num_unknowns = fix.num_free();
+  for (const char smooth : model.smooth)
+    solution.num_kink_nodes += smooth ? 0 : 1;
+  solution.solver_residual = solver.relative_residual(free, load);
+  solution.rounding_floor = solver.rounding_floor(free, load);
+  solution.u = fix.T * free;
+  const VectorX internal = K * solution.u;
+  solution.strain_energy = 0.5 * solution.u.dot(internal);
+  solution.load_size = load_size(f);
+  solution.loads = resultant_of(model, f, Vec3::Zero());
+  set_reactions(model, supports, f, internal - f, solution);
+  return solution;
+}
+
+std::vector<SolutionCheck> check_solution(const ShellModel& model, const ShellSolution& solution) {
+  const double scale = solution.load_size > 0 ? solution.load_size : 1.0;
+  const double limit = std::max(1e-8, solution.rounding_floor);
+  return {{"residual of the linear solver", solution.solver_residual,
+           std::max(1e-9, solution.rounding_floor)},
+          {"equilibrium of forces", solution.imbalance.force.norm() / scale, limit},
+          {"equilibrium of moments", solution.imbalance.moment.norm() / (scale * model.diagonal),
+           limit}};
+}
+
+std::vector<ShellProbe> probe(const ShellModel& model, const ShellSolution& solution) {
+  std::vector<ShellProbe> out;
+  if (model.problem.probes.empty()) return out;
+  const LimitBasis basis(model.mesh->topology,
+                         resolve_tags(*model.adjacency, Tags(), BoundaryRule::edges),
+                         find_scheme("linear"));
+  const SurfaceTree tree(basis, model.mesh->points.span());
+  for (const ProbeSettings& p : model.problem.probes) {
+    const ClosestHit hit = closest_point(tree, p.at);
+    const ShellVector u = model.unknowns(hit.face, solution.u);
+    const double a = hit.uv.x(), b = hit.uv.y();
+    const Eigen::Matrix<double, 6, 1> at =
+        (1 - b) * ((1 - a) * u.segment<6>(0) + a * u.segment<6>(6)) +
+        b * (a * u.segment<6>(12) + (1 - a) * u.segment<6>(18));
+    out.push_back(
+        {p.name, p.at, hit.point, hit.distance, hit.face, at.head<3>(), at.tail<3>(),
+         mitc4_resultants(model.quad(hit.face), model.section(hit.face), u, Vec2::Zero())});
+  }
+  return out;
+}
+
+}  // namespace limes

@@ -1,0 +1,204 @@
+#include "limes/study/shell_supports.h"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "limes/core/error.h"
+#include "limes/study/selection.h"
+
+namespace limes {
+namespace {
+
+/// A direction that a support's edges have at a node, and the director of the face there.
+struct EdgeEnd {
+  VertexId vertex;
+  Vec3 tangent, director;
+};
+
+/// Ends of the edges; two edges of nearly one direction meet in one end.
+std::vector<EdgeEnd> edge_ends(const ShellModel& model, const std::vector<HalfedgeId>& edges) {
+  const double straight = std::cos(30 * std::numbers::pi / 180);
+  const Adjacency& adjacency = *model.adjacency;
+  std::map<VertexId, std::vector<EdgeEnd>> at;
+  for (const HalfedgeId h : edges) {
+    const VertexId a = adjacency.from(h), b = adjacency.to(h);
+    const Vec3 tangent = (model.mesh->points[b] - model.mesh->points[a]).normalized();
+    at[a].push_back({a, tangent, model.director[h]});
+    at[b].push_back({b, tangent, model.director[adjacency.next(h)]});
+  }
+  std::vector<EdgeEnd> out;
+  for (auto& [vertex, ends] : at) {
+    if (ends.size() == 2 && ends[0].tangent.dot(ends[1].tangent) > straight &&
+        ends[0].director == ends[1].director) {
+      ends[0].tangent += ends[1].tangent;
+      ends.pop_back();
+    }
+    for (EdgeEnd& end : ends) {
+      end.tangent -= end.tangent.dot(end.director) * end.director;
+      end.tangent.normalize();
+      out.push_back(end);
+    }
+  }
+  return out;
+}
+
+class SupportRows {
+ public:
+  explicit SupportRows(std::vector<ConstraintRow>& rows) : rows_(rows) {}
+
+  void displacement(VertexId v, const Vec3& direction) { add(6 * v.value, direction); }
+  void rotation(VertexId v, const Vec3& axis) { add(6 * v.value + 3, axis); }
+  /// The part of theta x V along a direction.
+  void turn(const EdgeEnd& end, const Vec3& direction) {
+    rotation(end.vertex, end.director.cross(direction));
+  }
+
+ private:
+  void add(int first, const Vec3& direction) {
+    ConstraintRow row;
+    for (int i = 0; i < 3; ++i)
+      if (direction(i) != 0) row.emplace_back(first + i, direction(i));
+    rows_.push_back(std::move(row));
+  }
+  std::vector<ConstraintRow>& rows_;
+};
+
+void add_kind(const SupportSettings& support, const EdgeEnd& end, SupportRows& rows) {
+  const Vec3 across = end.director.cross(end.tangent);
+  if (support.kind == SupportKind::symmetry) {
+    rows.displacement(end.vertex, across);
+    rows.turn(end, across);
+    rows.rotation(end.vertex, end.director);
+    return;
+  }
+  rows.displacement(end.vertex, end.director);
+  rows.displacement(end.vertex, end.tangent);
+  if (support.kind != SupportKind::diaphragm) rows.displacement(end.vertex, across);
+  if (support.hard) rows.turn(end, end.tangent);
+  if (support.kind == SupportKind::clamped)
+    for (int i = 0; i < 3; ++i)
+      rows.rotation(end.vertex, Vec3::Unit(i));
+}
+
+void add_support(const ShellModel& model, const SupportSettings& support,
+                 std::vector<ConstraintRow>& out) {
+  const std::string file = model.problem.file.string();
+  const Selection chosen(*model.mesh, *model.adjacency, model.mesh->points.span(), support.where,
+                         file, support.where_line);
+  SupportRows rows(out);
+  if (support.kind == SupportKind::listed) {
+    for (int v = 0; v < model.mesh->points.size(); ++v)
+      for (int i = 0; i < 6; ++i)
+        if (chosen.vertices()[static_cast<std::size_t>(v)] &&
+            support.fix[static_cast<std::size_t>(i)])
+          i < 3 ? rows.displacement(VertexId(v), Vec3::Unit(i))
+                : rows.rotation(VertexId(v), Vec3::Unit(i - 3));
+    return;
+  }
+  const std::vector<HalfedgeId> edges = chosen.boundary_edges();
+  if (edges.empty())
+    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
+                     file, support.where_line, support.where);
+  for (const EdgeEnd& end : edge_ends(model, edges))
+    add_kind(support, end, rows);
+}
+
+/// Number of the connected piece of the mesh of every vertex, -1 without a face.
+std::vector<int> pieces(const ShellModel& model) {
+  const Topology& t = model.mesh->topology;
+  std::vector<int> root(static_cast<std::size_t>(t.num_vertices()));
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int v) {
+    while (root[static_cast<std::size_t>(v)] != v) {
+      auto& up = root[static_cast<std::size_t>(v)];
+      v = up = root[static_cast<std::size_t>(up)];
+    }
+    return v;
+  };
+  for (int f = 0; f < t.num_faces(); ++f)
+    for (const VertexId v : t.face(FaceId(f))) {
+      const int a = find(t.face(FaceId(f))[0].value), b = find(v.value);
+      root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  for (int v = 0; v < t.num_vertices(); ++v)
+    root[static_cast<std::size_t>(v)] =
+        model.adjacency->ring_start(VertexId(v)).valid() ? find(v) : -1;
+  return root;
+}
+
+/// What a rigid motion (shift, turn about the centre over the diagonal) gives an unknown.
+Eigen::Matrix<double, 6, 6> rigid_motions(const ShellModel& model, VertexId v) {
+  const Vec3 x = model.mesh->points[v] - model.centre;
+  Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Identity();
+  for (int k = 0; k < 3; ++k) {
+    Vec3 turn = Vec3::Unit(k);
+    R.block<3, 1>(0, 3 + k) = turn.cross(x) / model.diagonal;
+    if (model.smooth[v]) {
+      const Vec3& V = model.director[model.adjacency->ring_start(v)];
+      turn -= turn.dot(V) * V;
+    }
+    R.block<3, 1>(3, 3 + k) = turn;  // rotations count as displacements at a diagonal's distance
+  }
+  return R;
+}
+
+}  // namespace
+
+ShellConstraints shell_support_constraints(const ShellModel& model) {
+  ShellConstraints out;
+  for (const SupportSettings& support : model.problem.supports) {
+    const int first = static_cast<int>(out.rows.size());
+    add_support(model, support, out.rows);
+    out.sources.push_back({support.where, first, static_cast<int>(out.rows.size())});
+  }
+  return out;
+}
+
+std::vector<ConstraintRow> drilling_constraints(const ShellModel& model) {
+  std::vector<ConstraintRow> out;
+  SupportRows rows(out);
+  for (int v = 0; v < model.mesh->points.size(); ++v) {
+    const HalfedgeId h = model.adjacency->ring_start(VertexId(v));
+    if (h.valid() && model.smooth[VertexId(v)]) rows.rotation(VertexId(v), model.director[h]);
+    if (h.valid()) continue;
+    for (int i = 0; i < 6; ++i)  // a vertex without faces does not move
+      out.push_back({{6 * v + i, 1.0}});
+  }
+  return out;
+}
+
+void require_no_rigid_motion(const ShellModel& model, const ShellConstraints& supports) {
+  using Gram = Eigen::Matrix<double, 6, 6>;
+  const std::vector<int> piece = pieces(model);
+  std::map<int, Gram> held;
+  for (const int p : piece)
+    if (p >= 0) held.try_emplace(p, Gram::Zero());
+  for (const ConstraintRow& row : supports.rows) {
+    if (row.empty()) continue;
+    const VertexId v(row.front().first / 6);
+    if (piece[static_cast<std::size_t>(v.value)] < 0) continue;
+    const Gram R = rigid_motions(model, v);
+    Eigen::Matrix<double, 1, 6> on_motions = Eigen::Matrix<double, 1, 6>::Zero();
+    for (const auto& [unknown, weight] : row)
+      on_motions += weight * R.row(unknown % 6);
+    held[piece[static_cast<std::size_t>(v.value)]] += on_motions.transpose() * on_motions;
+  }
+  for (const auto& [p, gram] : held) {
+    const Eigen::SelfAdjointEigenSolver<Gram> motions(gram);
+    if (motions.eigenvalues()(0) > 1e-12) continue;
+    Eigen::Matrix<double, 6, 1> free = motions.eigenvectors().col(0);
+    Eigen::Index largest = 0;
+    free.cwiseAbs().maxCoeff(&largest);
+    constexpr std::array axes{"x", "y", "z"};
+    throw InputError(
+        "{}: the supports leave the piece of the mesh with vertex {} free to {} {}; hold it there",
+        model.problem.file.string(), p, largest < 3 ? "move along" : "turn about",
+        axes[static_cast<std::size_t>(largest % 3)]);
+  }
+}
+
+}  // namespace limes
