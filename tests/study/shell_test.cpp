@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <tuple>
 
@@ -245,6 +248,24 @@ TEST(ShellErrors, SaySo) {
                        "[[load]]\nwhere = \"vertex:0\"\nmoment = [0, 0, 1]\n")
                 .find("about the shell's normal"),
             std::string::npos);
+}
+
+// A scheme's own boundary is no edge of symmetry: directors are slanted there.
+TEST(ShellRemarks, SlantedDirectorsAtASymmetryAreNamed) {
+  const auto firm = [](const ShellResult& r) {
+    return std::count_if(
+        r.model.remarks.begin(), r.model.remarks.end(),
+        [](const std::string& remark) { return remark.find("too firmly") != std::string::npos; });
+  };
+  EXPECT_EQ(firm(solve_file("hemisphere.toml")), 0);
+  std::ifstream in(std::filesystem::path(LIMES_DATA_DIR) / "hemisphere.toml");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t geometry = text.find("[geometry]");
+  text.erase(geometry, text.find("[model]") - geometry);
+  const Problem problem =
+      parse_problem(text, std::filesystem::path(LIMES_DATA_DIR) / "p.toml",
+                    std::vector<std::string>{"mesh.placement=scheme", "mesh.scheme=kobbelt"});
+  EXPECT_EQ(firm(run_shell_problem(problem)), 2);
 }
 
 }  // namespace

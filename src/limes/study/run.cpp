@@ -9,6 +9,7 @@
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
+#include "limes/study/shell_supports.h"
 
 namespace limes {
 namespace {
@@ -77,6 +78,8 @@ ShellResult run_shell_problem(const Problem& problem, const ModelOptions& option
   ShellResult result{
       phase("model", [&] { return read_shell_model(problem, options); }), {}, {}, {}, {}, 0, {}};
   result.solution = phase("solve", [&] { return solve_shell(result.model); });
+  for (std::string& remark : remarks_on_symmetry(result.model))
+    result.model.remarks.push_back(std::move(remark));
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
   for (const ShellProbe& p : result.probes)
     if (p.distance > 0.01 * result.model.diagonal)

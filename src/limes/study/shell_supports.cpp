@@ -1,11 +1,16 @@
 #include "limes/study/shell_supports.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <tuple>
 
 #include "limes/core/error.h"
 #include "limes/study/selection.h"
@@ -84,13 +89,29 @@ void add_kind(const SupportSettings& support, const EdgeEnd& end, SupportRows& r
       rows.rotation(end.vertex, Vec3::Unit(i));
 }
 
+Selection selected(const ShellModel& model, const SupportSettings& support) {
+  return {*model.mesh,
+          *model.adjacency,
+          model.mesh->points.span(),
+          support.where,
+          model.problem.file.string(),
+          support.where_line};
+}
+
+/// Of a support of a kind.
+std::vector<HalfedgeId> chosen_edges(const ShellModel& model, const SupportSettings& support) {
+  const std::vector<HalfedgeId> edges = selected(model, support).boundary_edges();
+  if (edges.empty())
+    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
+                     model.problem.file.string(), support.where_line, support.where);
+  return edges;
+}
+
 void add_support(const ShellModel& model, const SupportSettings& support,
                  std::vector<ConstraintRow>& out) {
-  const std::string file = model.problem.file.string();
-  const Selection chosen(*model.mesh, *model.adjacency, model.mesh->points.span(), support.where,
-                         file, support.where_line);
   SupportRows rows(out);
   if (support.kind == SupportKind::listed) {
+    const Selection chosen = selected(model, support);
     for (int v = 0; v < model.mesh->points.size(); ++v)
       for (int i = 0; i < 6; ++i)
         if (chosen.vertices()[static_cast<std::size_t>(v)] &&
@@ -99,12 +120,24 @@ void add_support(const ShellModel& model, const SupportSettings& support,
                 : rows.rotation(VertexId(v), Vec3::Unit(i - 3));
     return;
   }
-  const std::vector<HalfedgeId> edges = chosen.boundary_edges();
-  if (edges.empty())
-    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
-                     file, support.where_line, support.where);
-  for (const EdgeEnd& end : edge_ends(model, edges))
+  for (const EdgeEnd& end : edge_ends(model, chosen_edges(model, support)))
     add_kind(support, end, rows);
+}
+
+/// Normal of the plane in which the ends lie; nothing where they lie on a line or in no plane.
+std::optional<Vec3> plane_normal(const ShellModel& model, const std::vector<EdgeEnd>& ends) {
+  Vec3 mean = Vec3::Zero();
+  for (const EdgeEnd& end : ends)
+    mean += model.mesh->points[end.vertex] / static_cast<double>(ends.size());
+  Mat3 spread = Mat3::Zero();
+  for (const EdgeEnd& end : ends) {
+    const Vec3 x = (model.mesh->points[end.vertex] - mean) / model.diagonal;
+    spread += x * x.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+  const Vec3 squares = axes.eigenvalues() / static_cast<double>(ends.size());
+  if (squares(0) > 1e-12 || squares(1) < 1e-6) return {};
+  return axes.eigenvectors().col(0);
 }
 
 /// Number of the connected piece of the mesh of every vertex, -1 without a face.
@@ -147,6 +180,30 @@ Eigen::Matrix<double, 6, 6> rigid_motions(const ShellModel& model, VertexId v) {
 }
 
 }  // namespace
+
+std::vector<std::string> remarks_on_symmetry(const ShellModel& model) {
+  const double most_slant = 5 * std::numbers::pi / 180;
+  std::vector<std::string> out;
+  for (const SupportSettings& support : model.problem.supports) {
+    if (support.kind != SupportKind::symmetry) continue;
+    const std::vector<EdgeEnd> ends = edge_ends(model, chosen_edges(model, support));
+    const auto normal = plane_normal(model, ends);
+    if (!normal) continue;
+    double slant = 0;
+    VertexId worst;
+    for (const EdgeEnd& end : ends) {
+      const double angle = std::asin(std::min(1.0, std::abs(end.director.dot(*normal))));
+      if (angle > slant) std::tie(slant, worst) = std::tuple(angle, end.vertex);
+    }
+    if (slant > most_slant)
+      out.push_back(fmt::format(
+          "{}:{}: symmetry at '{}' holds too firmly: at vertex {} the director leaves the plane of "
+          "the edges by {:.0f} degrees; name a [geometry], or model both halves",
+          model.problem.file.string(), support.where_line, support.where, worst.value,
+          slant * 180 / std::numbers::pi));
+  }
+  return out;
+}
 
 ShellConstraints shell_support_constraints(const ShellModel& model) {
   ShellConstraints out;

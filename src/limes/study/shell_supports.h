@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "limes/space/constraints.h"
 #include "limes/study/shell_model.h"
 
@@ -25,6 +28,11 @@ struct ShellConstraints {
 /// along tau.
 /// @throws InputError for a selection without vertices, or without boundary edges where they are meant
 [[nodiscard]] ShellConstraints shell_support_constraints(const ShellModel& model);
+
+/// One remark per support by symmetry whose edges lie in a plane, not on a line, that a director leaves by
+/// more than 5 degrees: five unknowns cannot bend about such edges.
+/// @throws InputError as shell_support_constraints()
+[[nodiscard]] std::vector<std::string> remarks_on_symmetry(const ShellModel& model);
 
 /// theta . V = 0 at smooth nodes: five unknowns remain.
 [[nodiscard]] std::vector<ConstraintRow> drilling_constraints(const ShellModel& model);

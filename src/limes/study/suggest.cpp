@@ -33,7 +33,7 @@ int edit_distance(std::string_view word_a, std::string_view word_b) {
 
 std::string suggest(std::string_view word, std::span<const std::string_view> known) {
   constexpr std::size_t longest_word = 100;  // nobody mistypes more, and the search stays short
-  constexpr std::size_t longest_list = 10;
+  constexpr std::size_t longest_list = 16;
   if (known.empty()) return "there are none";
   struct Candidate {
     int distance;
