@@ -53,11 +53,26 @@ std::string summary(const std::vector<SolutionCheck>& checks) {
   return text;
 }
 
+/// A line per step of an adaptive run.
+std::string steps_summary(const std::optional<AdaptiveRun>& run) {
+  if (!run) return {};
+  std::string text = "step  unknowns   energy           error estimate   of the norm";
+  const bool reference = run->history.steps.front().true_error.has_value();
+  text += reference ? "   effectivity\n" : "\n";
+  int number = 0;
+  for (const AdaptStep& s : run->history.steps) {
+    text += fmt::format("{:>4}  {:>8}   {:<14.8g}   {:<14.4g}   {:>8.3g} %", number++, s.dofs,
+                        s.strain_energy, s.error_estimate, 100 * s.relative_error);
+    text += s.effectivity ? fmt::format("   {:>8.3f}\n", *s.effectivity) : "\n";
+  }
+  return text + end_of(*run) + "\n";
+}
+
 /// The numbers that people look at first.
 std::string summary(const PlaneResult& result) {
-  std::string text =
-      fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
-                  result.model.space->elements().size(), shown(result.solution.strain_energy));
+  std::string text = steps_summary(result.adaptive);
+  text += fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
+                      result.model.space->elements().size(), shown(result.solution.strain_energy));
   if (result.solution.homogenised) {
     const Mat3& C = result.solution.homogenised->stiffness;
     text += "effective stiffness (xx, yy, xy)\n";
@@ -88,6 +103,18 @@ std::string summary(const ShellResult& result) {
   for (const ShellSolution::Reaction& r : result.solution.reactions)
     text += fmt::format("reaction at {}: force {}, moment {}\n", r.where, shown(r.resultant.force),
                         shown(r.resultant.moment));
+  return text + summary(result.checks);
+}
+
+std::string summary(const PoissonResult& result) {
+  std::string text = steps_summary(result.adaptive);
+  text += fmt::format("{} unknowns, {} elements, energy {}\n", result.solution.num_unknowns,
+                      result.model.space->elements().size(), shown(result.solution.strain_energy));
+  for (const PoissonProbe& p : result.probes)
+    text += fmt::format("probe {}: value {}, gradient ({}, {})\n", p.name, shown(p.state.value),
+                        shown(p.state.gradient.x()), shown(p.state.gradient.y()));
+  for (const PoissonSolution::Reaction& r : result.solution.reactions)
+    text += fmt::format("flux at {}: {}\n", r.where, shown(r.flux));
   return text + summary(result.checks);
 }
 
@@ -146,6 +173,8 @@ void SolveCommand::operator()() const {
   };
   if (settings.model.kind == ModelKind::mitc4)
     solve_with(run_shell_problem);
+  else if (settings.model.kind == ModelKind::poisson)
+    solve_with(run_poisson_problem);
   else
     solve_with(run_problem);
 }

@@ -23,6 +23,8 @@ class LoadAssembler {
       throw InputError("{}:{}: plane models carry no load in z; make it 0", file(), load_.line);
     switch (load_.kind) {
       case LoadKind::moment:
+      case LoadKind::source:
+      case LoadKind::flux:
         break;  // refused by the reader of the file
       case LoadKind::force:
         return at_vertices();

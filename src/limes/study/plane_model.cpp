@@ -88,6 +88,22 @@ double PlaneModel::thickness(int element) const {
   return problem.materials[static_cast<std::size_t>(m)].thickness;
 }
 
+double PlaneModel::conductivity(int element) const {
+  const int m = material_of_element[static_cast<std::size_t>(element)];
+  return problem.materials[static_cast<std::size_t>(m)].conductivity;
+}
+
+JoinsFaces PlaneModel::same_material() const {
+  std::vector<int> of_face(static_cast<std::size_t>(mesh().topology.num_faces()), -1);
+  for (std::size_t e = 0; e < material_of_element.size(); ++e)
+    of_face[static_cast<std::size_t>(space->elements()[e].face.value)] = material_of_element[e];
+  return [this, of_face = std::move(of_face)](HalfedgeId h) {
+    const Adjacency& a = adjacency();
+    return of_face[static_cast<std::size_t>(a.face(h).value)] ==
+           of_face[static_cast<std::size_t>(a.face(a.twin(h)).value)];
+  };
+}
+
 PlaneModel build_model(const Problem& problem, Mesh control) {
   require_refinable(control, mesh_path(problem).string());
   PlaneModel model;
@@ -105,7 +121,8 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
   const std::vector<int> material =
       materials_of_faces(problem, mesh, adjacency, model.limit_points.span());
   std::vector<int> regions;
-  if (problem.model.kinks)
+  // bilinear functions kink at every edge
+  if (problem.model.kinks && problem.model.kind != ModelKind::poisson)
     for (const int m : material)
       regions.push_back(std::max(m, 0));
   model.space = std::make_unique<SubdivisionSpace>(
@@ -120,6 +137,7 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
                        problem.file.string(), e.face.value);
     model.material_of_element.push_back(m);
   }
+  if (problem.model.kind == ModelKind::poisson) return model;
   for (int e = 0; e < static_cast<int>(model.space->elements().size()); ++e)
     model.C.push_back(model.thickness(e) *
                       plane_elasticity_matrix(model.material(e), model.assumption()));

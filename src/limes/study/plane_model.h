@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "limes/adapt/recovery.h"
 #include "limes/fem/plane_elasticity.h"
 #include "limes/study/control_mesh.h"
 
 namespace limes {
 
-/// A problem on its mesh, ready for loads and supports: what was read, refined, selected.
+/// A plane problem, of elasticity or Poisson's equation, on its mesh, ready for loads and supports: what was read, refined, selected.
 struct PlaneModel {
   Problem problem;
   Mesh control;  ///< as in the file
@@ -21,8 +22,9 @@ struct PlaneModel {
   Vec2 centre = Vec2::Zero();            ///< of that box
   double z = 0;                          ///< of all of them
   std::vector<int> material_of_element;  ///< index in problem.materials
-  ElementStiffness C;                    ///< elasticity matrix times thickness, per element
-  std::vector<std::string> remarks;      ///< of the mesh file's reader, and on probes
+  /// Elasticity matrix times thickness, per element; nothing for Poisson's equation.
+  ElementStiffness C;
+  std::vector<std::string> remarks;  ///< of the mesh file's reader, and on probes
 
   [[nodiscard]] const Mesh& mesh() const { return space->mesh(); }
   [[nodiscard]] const Adjacency& adjacency() const { return space->geometry().adjacency(); }
@@ -31,6 +33,9 @@ struct PlaneModel {
   [[nodiscard]] PlaneAssumption assumption() const;
   [[nodiscard]] Isotropic material(int element) const;
   [[nodiscard]] double thickness(int element) const;
+  [[nodiscard]] double conductivity(int element) const;
+  /// Whether the faces on both sides of an inner edge are of one material.
+  [[nodiscard]] JoinsFaces same_material() const;
 };
 
 /// Refines a control mesh, finds the materials and builds the space.

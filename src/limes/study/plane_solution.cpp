@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/solve/linear.h"
@@ -188,6 +189,18 @@ std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& sol
     out.push_back(s);
   }
   return out;
+}
+
+std::vector<double> estimate_error(const PlaneModel& model, const PlaneSolution& solution) {
+  return zienkiewicz_zhu(
+      *model.space,
+      {[&](int e, const ElementTable& table) {
+         ElementPoints points;
+         to_physical(table, model.space->control_points(e), points);
+         return MatrixX(strains(points, element_field(*model.space, e, solution.u)));
+       },
+       [&](int e) { return MatrixX(model.C[static_cast<std::size_t>(e)]); }},
+      model.same_material());
 }
 
 }  // namespace limes

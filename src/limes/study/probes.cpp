@@ -93,8 +93,8 @@ Candidate nearest_point(const SubdivisionSpace& space, const std::vector<Element
 
 }  // namespace
 
-std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& solution) {
-  std::vector<ProbeResult> out;
+std::vector<ProbePlace> probe_places(const PlaneModel& model) {
+  std::vector<ProbePlace> out;
   if (model.problem.probes.empty()) return out;
   const SubdivisionSpace& space = *model.space;
   std::vector<Vec2> grid;
@@ -108,24 +108,38 @@ std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& sol
     Vec3 at = p.at;
     at.z() = model.z;  // plane models: z is not asked for
     const Candidate c = nearest_point(space, samples, at);
-    const int shape = space.elements()[static_cast<std::size_t>(c.element)].shape;
-    const PlaneState state =
-        states(model, solution, c.element, space.sample(shape, {c.uv})).front();
-    out.push_back({p.name, p.at, std::sqrt(c.distance2), c.element, c.uv, state});
+    out.push_back({p.name, p.at, std::sqrt(c.distance2), c.element, c.uv});
   }
   return out;
+}
+
+std::vector<ProbeResult> probe(const PlaneModel& model, const PlaneSolution& solution) {
+  std::vector<ProbeResult> out;
+  for (ProbePlace& place : probe_places(model)) {
+    const int shape = model.space->elements()[static_cast<std::size_t>(place.element)].shape;
+    const PlaneState state =
+        states(model, solution, place.element, model.space->sample(shape, {place.uv})).front();
+    out.push_back({std::move(place), state});
+  }
+  return out;
+}
+
+std::optional<std::string> remark_on(const ProbePlace& place, const Vec3& point,
+                                     const PlaneModel& model) {
+  if (!(place.distance > 0.01 * model.diagonal)) return std::nullopt;
+  return fmt::format(
+      "{}: probe '{}' at ({:.6g}, {:.6g}) is {:.3g} away from the surface; its values are "
+      "those of the nearest point ({:.6g}, {:.6g})",
+      model.problem.file.string(), place.name, place.at.x(), place.at.y(), place.distance,
+      point.x(), point.y());
 }
 
 std::vector<std::string> remarks_on(const std::vector<ProbeResult>& probes,
                                     const PlaneModel& model) {
   std::vector<std::string> out;
   for (const ProbeResult& p : probes)
-    if (p.distance > 0.01 * model.diagonal)
-      out.push_back(fmt::format(
-          "{}: probe '{}' at ({:.6g}, {:.6g}) is {:.3g} away from the surface; its values are "
-          "those of the nearest point ({:.6g}, {:.6g})",
-          model.problem.file.string(), p.name, p.at.x(), p.at.y(), p.distance, p.state.x.x(),
-          p.state.x.y()));
+    if (std::optional<std::string> remark = remark_on(p, p.state.x, model))
+      out.push_back(std::move(*remark));
   return out;
 }
 

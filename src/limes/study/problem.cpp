@@ -53,6 +53,7 @@ class ProblemReader {
   void read_supports();
   void read_loads();
   void read_probes();
+  void read_adapt();
   void check_model() const;
   void check_held() const;
 
@@ -146,6 +147,7 @@ void ProblemReader::read_model() {
     table.read("kind", kind);
     table.read("boundary", boundary);
     model.kind = kind == "mitc4"          ? ModelKind::mitc4
+                 : kind == "poisson"      ? ModelKind::poisson
                  : kind == "plane-strain" ? ModelKind::plane_strain
                                           : ModelKind::plane_stress;
     table.read("shear_factor", model.shear_factor);
@@ -174,6 +176,16 @@ void ProblemReader::read_materials() {
     table.read("young", material.young);
     table.read("poisson", material.poisson);
     table.read("thickness", material.thickness);
+    table.read("conductivity", material.conductivity);
+    if (problem_.model.kind == ModelKind::poisson) {
+      refuse_keys(table, "material", {"young", "poisson", "thickness"}, "kind = \"poisson\"");
+    } else {
+      refuse_keys(table, "material", {"conductivity"}, "elasticity");
+      for (const char* needed : {"young", "poisson"})
+        if (!table.has(needed))
+          fail(table.place(), fmt::format("{} {} is missing: {}", written(*find_table("material")),
+                                          needed, find_key("material", needed)->help));
+    }
     if (material.where) continue;
     if (rest)
       fail(table.place(), fmt::format("this [[material]] has no where, like that of line {}; one "
@@ -209,7 +221,8 @@ void ProblemReader::read_supports() {
     for (std::size_t i = 0; i < names.size(); ++i)
       support.fix[i] = std::find(fix.begin(), fix.end(), names[i]) != fix.end();
     if (table.has("kind")) table.read("kind", kind);
-    support.kind = support_kind(kind);
+    support.kind = table.has("value") ? SupportKind::value : support_kind(kind);
+    table.read("value", support.value);
     table.read("rotation", rotation);
     support.hard = rotation == "hard";
     if (!rotation.empty() && support.kind != SupportKind::supported &&
@@ -229,7 +242,9 @@ void ProblemReader::read_loads() {
                              Named{"force_per_area", LoadKind::force_per_area},
                              Named{"force_per_volume", LoadKind::force_per_volume},
                              Named{"pressure", LoadKind::pressure},
-                             Named{"moment", LoadKind::moment}};
+                             Named{"moment", LoadKind::moment},
+                             Named{"source", LoadKind::source},
+                             Named{"flux", LoadKind::flux}};
   for (const TableReader& table : tables("load")) {
     LoadSettings& load = problem_.loads.emplace_back();
     load.line = table.line();
@@ -238,7 +253,8 @@ void ProblemReader::read_loads() {
     const std::string_view key = table.chosen_key();
     for (const Named& named : kinds)
       if (named.name == key) load.kind = named.kind;
-    if (load.kind == LoadKind::pressure)
+    if (load.kind == LoadKind::pressure || load.kind == LoadKind::source ||
+        load.kind == LoadKind::flux)
       table.read(key, load.value[0]);
     else
       table.read(key, load.value);
@@ -259,7 +275,36 @@ void ProblemReader::read_probes() {
   }
 }
 
+void ProblemReader::read_adapt() {
+  for (const TableReader& table : tables("adapt")) {
+    AdaptSettings& adapt = problem_.adapt.emplace();
+    adapt.line = table.line();
+    std::string estimator, mark;
+    table.read("estimator", estimator);
+    table.read("mark", mark);
+    adapt.mark = mark == "maximum"    ? MarkingKind::maximum
+                 : mark == "fraction" ? MarkingKind::fraction
+                                      : MarkingKind::doerfler;
+    table.read("share", adapt.share);
+    table.read("max_dofs", adapt.max_dofs);
+    table.read("max_steps", adapt.max_steps);
+    if (table.has("target_error")) table.read("target_error", adapt.target_error.emplace());
+    if (table.has("max_seconds")) table.read("max_seconds", adapt.max_seconds.emplace());
+    if (table.has("reference_energy"))
+      table.read("reference_energy", adapt.reference_energy.emplace());
+    if (problem_.periodic)
+      fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
+    if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
+      fail(table.place(),
+           "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");
+  }
+}
+
 void ProblemReader::check_held() const {
+  if (problem_.model.kind == ModelKind::poisson && problem_.supports.empty())
+    fail({file_},
+         "there is no [[support]]: the solution is known but for a constant; give its value "
+         "somewhere");
   if (problem_.supports.empty() && !problem_.periodic)
     fail({file_},
          "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
@@ -271,6 +316,22 @@ void ProblemReader::check_model() const {
   const auto fail_at = [&](int line, const char* what) {
     throw InputError("{}:{}: {}", file_, line, what);
   };
+  const bool poisson = problem_.model.kind == ModelKind::poisson;
+  for (const SupportSettings& s : problem_.supports)
+    if (poisson != (s.kind == SupportKind::value))
+      fail_at(s.line, poisson ? "Poisson's equation has no displacements; right is value"
+                              : "[[support]] value is for [model] kind = \"poisson\"; use fix");
+  for (const LoadSettings& load : problem_.loads)
+    if (poisson != (load.kind == LoadKind::source || load.kind == LoadKind::flux))
+      fail_at(load.line, poisson
+                             ? "Poisson's equation has no forces; right is source or flux"
+                             : "source and flux are for [model] kind = \"poisson\"; use forces");
+  if (poisson && problem_.mesh.scheme != "linear")
+    fail_at(problem_.model.line,
+            "Poisson's equation is solved with bilinear elements; right is [mesh] scheme = "
+            "\"linear\"");
+  if (poisson && problem_.periodic)
+    fail_at(problem_.periodic->line, "a periodic cell is one of elasticity; remove it");
   if (problem_.model.kind == ModelKind::mitc4) {
     if (problem_.periodic)
       fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
@@ -280,7 +341,7 @@ void ProblemReader::check_model() const {
     fail_at(problem_.geometry->line,
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
   for (const SupportSettings& s : problem_.supports) {
-    if (s.kind != SupportKind::listed)
+    if (s.kind != SupportKind::listed && s.kind != SupportKind::value)
       fail_at(s.line, "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
     if (s.fix[3] || s.fix[4] || s.fix[5])
       fail_at(s.line, "plane models have no rotations; fix ux, uy or both");
@@ -300,6 +361,7 @@ Problem ProblemReader::read() {
   read_supports();
   read_loads();
   read_probes();
+  read_adapt();
   check_model();
   check_held();
   return std::move(problem_);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "limes/adapt/marking.h"
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
 
@@ -40,10 +41,11 @@ struct MaterialSettings {
   double young = 0;                  ///< > 0
   double poisson = 0;                ///< in (-1, 0.5)
   double thickness = 1;              ///< > 0
+  double conductivity = 1;           ///< of Poisson's equation, > 0
   int line = 0, where_line = 0;
 };
 
-enum class ModelKind { plane_stress, plane_strain, mitc4 };
+enum class ModelKind { plane_stress, plane_strain, poisson, mitc4 };
 
 /// How the field continues beyond the boundary of the mesh, see space/extended_mesh.h.
 enum class FieldBoundary { free, phantom };
@@ -66,22 +68,32 @@ struct PeriodicSettings {
 };
 
 /// Usual supports of shells, see shell_supports.h.
-enum class SupportKind { listed, clamped, supported, symmetry, diaphragm };
+enum class SupportKind { listed, clamped, supported, symmetry, diaphragm, value };
 
 struct SupportSettings {
   std::string where;
   SupportKind kind = SupportKind::listed;
   bool hard = false;          ///< the rotation of the director along the edge is held as well
   std::array<bool, 6> fix{};  ///< ux, uy, uz, rx, ry, rz; of SupportKind::listed
+  Expression value;           ///< of SupportKind::value
   int line = 0, where_line = 0;
 };
 
-enum class LoadKind { force, force_per_length, force_per_area, force_per_volume, pressure, moment };
+enum class LoadKind {
+  force,
+  force_per_length,
+  force_per_area,
+  force_per_volume,
+  pressure,
+  moment,
+  source,  ///< of Poisson's equation, like the next
+  flux
+};
 
 struct LoadSettings {
   std::string where;
   LoadKind kind = LoadKind::force_per_area;
-  /// Components (pressure: the first only); each a number or an expression in x, y, z.
+  /// Components (pressure, source, flux: the first only); each a number or an expression in x, y, z.
   std::array<Expression, 3> value;
   int line = 0, where_line = 0;
 };
@@ -89,6 +101,18 @@ struct LoadSettings {
 struct ProbeSettings {
   std::string name;
   Vec3 at = Vec3::Zero();
+  int line = 0;
+};
+
+/// Refinement where the error is.
+struct AdaptSettings {
+  MarkingKind mark = MarkingKind::doerfler;
+  double share = 0.5;                      ///< of the marking, in (0, 1]
+  std::optional<double> target_error;      ///< relative to the energy norm, in (0, 1)
+  int max_dofs = 10'000;                   ///< >= 1
+  int max_steps = 30;                      ///< >= 1
+  std::optional<double> max_seconds;       ///< > 0
+  std::optional<double> reference_energy;  ///< of the exact solution, > 0
   int line = 0;
 };
 
@@ -109,6 +133,7 @@ struct Problem {
   std::vector<SupportSettings> supports;
   std::vector<LoadSettings> loads;
   std::vector<ProbeSettings> probes;
+  std::optional<AdaptSettings> adapt;
 };
 
 /// Reads a problem file; `overrides` are "dotted.path=value" with array entries by index, the value

@@ -24,8 +24,8 @@ constexpr std::array tables{
           "what is held; at least one, unless there is [periodic]"},
     Table{"load", TableForm::list, Need::optional, "what acts; loads add up"},
     Table{"probe", TableForm::list, Need::optional, "points whose values are reported"},
-    Table{"seam", TableForm::list, Need::later, "parts tied along their boundaries"},
-    Table{"adapt", TableForm::single, Need::later, "refinement where the error is"}};
+    Table{"adapt", TableForm::single, Need::optional, "refinement where the error is"},
+    Table{"seam", TableForm::list, Need::later, "parts tied along their boundaries"}};
 
 constexpr std::array keys{
     Key{.table = "", .name = "title", .help = "heading of the report"},
@@ -87,9 +87,10 @@ constexpr std::array keys{
         .name = "kind",
         .type = ValueType::name,
         .need = Need::required,
-        .choices = "plane-stress plane-strain mitc4",
-        .later_choices = "kirchhoff-love poisson laplace-beltrami",
-        .help = "plane elasticity in the x-y plane, or shells of four-node elements"},
+        .choices = "plane-stress plane-strain poisson mitc4",
+        .later_choices = "kirchhoff-love laplace-beltrami",
+        .help = "plane elasticity or Poisson's equation in the x-y plane, or shells of four-node "
+                "elements"},
     Key{.table = "model",
         .name = "boundary",
         .type = ValueType::name,
@@ -134,21 +135,25 @@ constexpr std::array keys{
     Key{.table = "material",
         .name = "young",
         .type = ValueType::number,
-        .need = Need::required,
         .range = above(0),
-        .help = "Young's modulus"},
+        .help = "Young's modulus; required except by poisson"},
     Key{.table = "material",
         .name = "poisson",
         .type = ValueType::number,
-        .need = Need::required,
         .range = between(-1, 0.5),
-        .help = "Poisson's ratio"},
+        .help = "Poisson's ratio; required except by poisson"},
     Key{.table = "material",
         .name = "thickness",
         .type = ValueType::number,
         .range = above(0),
         .initial = "1",
         .help = "extent across the surface"},
+    Key{.table = "material",
+        .name = "conductivity",
+        .type = ValueType::number,
+        .range = above(0),
+        .initial = "1",
+        .help = "poisson: flux per gradient"},
 
     Key{.table = "periodic",
         .name = "gradient",
@@ -174,6 +179,11 @@ constexpr std::array keys{
         .need = Need::one_of,
         .choices = "clamped supported symmetry diaphragm",
         .help = "mitc4: a usual support of boundary edges by its name"},
+    Key{.table = "support",
+        .name = "value",
+        .type = ValueType::formula,
+        .need = Need::one_of,
+        .help = "poisson: the solution at the selected vertices"},
     Key{.table = "support",
         .name = "rotation",
         .type = ValueType::name,
@@ -217,6 +227,16 @@ constexpr std::array keys{
         .type = ValueType::formula_vector,
         .need = Need::one_of,
         .help = "at each selected vertex, mitc4 only"},
+    Key{.table = "load",
+        .name = "source",
+        .type = ValueType::formula,
+        .need = Need::one_of,
+        .help = "poisson: on the selected faces, per area"},
+    Key{.table = "load",
+        .name = "flux",
+        .type = ValueType::formula,
+        .need = Need::one_of,
+        .help = "poisson: through the selected boundary edges into the body, per length"},
 
     Key{.table = "probe",
         .name = "name",
@@ -226,7 +246,56 @@ constexpr std::array keys{
         .name = "at",
         .type = ValueType::point,
         .need = Need::required,
-        .help = "[x, y] or [x, y, z]; the nearest point of the surface is taken"}};
+        .help = "[x, y] or [x, y, z]; the nearest point of the surface is taken"},
+
+    Key{.table = "adapt",
+        .name = "estimator",
+        .type = ValueType::name,
+        .choices = "zienkiewicz-zhu",
+        .later_choices = "residual",
+        .initial = "zienkiewicz-zhu",
+        .help = "of the error in the energy norm"},
+    Key{.table = "adapt",
+        .name = "mark",
+        .type = ValueType::name,
+        .choices = "doerfler maximum fraction",
+        .initial = "doerfler",
+        .help = "which elements are refined: the worst that together have a share of the squared "
+                "error; those above a share of the largest error; a share of all"},
+    Key{.table = "adapt",
+        .name = "share",
+        .type = ValueType::number,
+        .range = {.low = 0, .high = 1, .low_open = true},
+        .initial = "0.5",
+        .help = "of `mark`"},
+    Key{.table = "adapt",
+        .name = "target_error",
+        .type = ValueType::number,
+        .range = between(0, 1),
+        .help = "stop when the estimated error is at most this part of the energy norm"},
+    Key{.table = "adapt",
+        .name = "max_dofs",
+        .type = ValueType::integer,
+        .range = from_to(1, 100'000'000),
+        .initial = "10000",
+        .help = "stop before a mesh with more vertices times unknowns per vertex than this"},
+    Key{.table = "adapt",
+        .name = "max_steps",
+        .type = ValueType::integer,
+        .range = from_to(1, 100),
+        .initial = "30",
+        .help = "most solutions"},
+    Key{.table = "adapt",
+        .name = "max_seconds",
+        .type = ValueType::number,
+        .range = above(0),
+        .help = "no further step after this time"},
+    Key{.table = "adapt",
+        .name = "reference_energy",
+        .type = ValueType::number,
+        .range = above(0),
+        .help = "strain energy of the exact solution, to report true errors; with supports of "
+                "value 0 only"}};
 
 std::string scheme_names() {
   std::string names;
@@ -249,6 +318,8 @@ std::string describe_range(const Range& range, std::string_view noun) {
     if (range.low == -range.high) return std::string(noun);
     return fmt::format("{} {} {}", noun, range.low_open ? ">" : ">=", range.low);
   }
+  if (range.low_open && !range.high_open)
+    return fmt::format("{} > {} and <= {}", noun, range.low, range.high);
   if (range.low_open && range.high_open)
     return fmt::format("{} between {} and {}, both excluded", noun, range.low, range.high);
   return fmt::format("{} from {} to {}", noun, range.low, range.high);

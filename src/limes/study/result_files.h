@@ -5,6 +5,7 @@
 #include "limes/io/io.h"
 #include "limes/study/checks.h"
 #include "limes/study/probes.h"
+#include "limes/study/result_parts.h"
 
 namespace limes {
 
@@ -14,6 +15,7 @@ struct PlaneResult {
   PlaneSolution solution;
   std::vector<ProbeResult> probes;
   std::vector<SolutionCheck> checks;
+  std::optional<AdaptiveRun> adaptive;
   /// Seconds by phase, in order; measured, so the only part that differs from run to run.
   std::vector<std::pair<std::string, double>> timings;
   std::int64_t peak_memory = 0;  ///< bytes
@@ -29,11 +31,6 @@ struct PlaneResult {
 /// strain, von Mises stress as nodal values, material and face of the refined mesh per cell.
 void write_result_vtu(const ByteSink& sink, const PlaneResult& result);
 
-/// One of the files of a report.
-struct ReportFile {
-  std::string name;
-  std::string bytes;
-};
 /// report.html with numbers, pictures and checks, which needs no other file; and its pictures as .png.
 /// No timings: the same result gives the same bytes.
 [[nodiscard]] std::vector<ReportFile> report_files(const PlaneResult& result);

@@ -65,6 +65,10 @@ nlohmann::ordered_json result_json(const PlaneResult& result, bool with_timings)
     out["average_stress"] = list(h.stress);
     out["cell"] = {h.width, h.height};
   }
+  if (result.adaptive) {
+    out["steps"] = steps_json(*result.adaptive);
+    out["end"] = result.adaptive->history.end;
+  }
   out["checks"] = checks_json(result.checks);
   if (with_timings) add_cost(result.timings, result.peak_memory, out);
   return out;

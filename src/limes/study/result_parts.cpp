@@ -1,5 +1,8 @@
 #include "limes/study/result_parts.h"
 
+#include "limes/report/render.h"
+#include "limes/report/ticks.h"
+
 namespace limes {
 
 using Json = nlohmann::ordered_json;
@@ -18,6 +21,30 @@ void add_cost(const std::vector<std::pair<std::string, double>>& timings, std::i
   for (const auto& [phase, seconds] : timings)
     out["timings"][phase] = seconds;
   out["peak_memory"] = peak_memory;
+}
+
+void add_picture(const Drawing& picture, const std::string& png, HtmlReport& report,
+                 std::vector<ReportFile>& files) {
+  report.figure(picture);
+  files.push_back({png, encode_png(to_image(picture))});
+}
+
+void add_adaptive_section(const AdaptiveRun& run, const Mesh& mesh,
+                          const std::optional<Vec3>& direction, HtmlReport& report,
+                          std::vector<ReportFile>& files) {
+  report.section("Adaptive refinement");
+  report.paragraph(end_of(run));
+  report.table(steps_table(run));
+  add_picture(steps_drawing(run), "convergence.png", report, files);
+  add_picture(drawing(error_figure(run, mesh, direction)), "adapted-mesh.png", report, files);
+}
+
+std::vector<Check> shown_checks(const std::vector<SolutionCheck>& checks) {
+  std::vector<Check> out;
+  for (const SolutionCheck& c : checks)
+    out.push_back({c.name, format_readable(c.value, 3), "at most " + format_readable(c.limit, 2),
+                   c.passed()});
+  return out;
 }
 
 }  // namespace limes

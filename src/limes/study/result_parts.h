@@ -6,16 +6,36 @@
 #include <utility>
 #include <vector>
 
+#include "limes/study/adaptive.h"
 #include "limes/study/checks.h"
 
 namespace limes {
 
-// What result.json has of every kind of problem.
+// What results of every kind of problem have.
 
 [[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<SolutionCheck>& checks);
 
 /// Seconds by phase, and bytes.
 void add_cost(const std::vector<std::pair<std::string, double>>& timings, std::int64_t peak_memory,
               nlohmann::ordered_json& out);
+
+/// One of the files of a report.
+struct ReportFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// A figure in the report and as a picture beside it.
+void add_picture(const Drawing& picture, const std::string& png, HtmlReport& report,
+                 std::vector<ReportFile>& files);
+
+/// Steps, convergence diagram and last mesh of an adaptive run.
+/// @param direction  to look along; without it straight onto a plane model
+void add_adaptive_section(const AdaptiveRun& run, const Mesh& mesh,
+                          const std::optional<Vec3>& direction, HtmlReport& report,
+                          std::vector<ReportFile>& files);
+
+/// As the report shows them.
+[[nodiscard]] std::vector<Check> shown_checks(const std::vector<SolutionCheck>& checks);
 
 }  // namespace limes

@@ -37,9 +37,12 @@ void add_summary(const PlaneResult& result, HtmlReport& report) {
   const bool strain = model.assumption() == PlaneAssumption::strain;
   std::vector<std::pair<std::string, std::string>> rows{
       {"Model", strain ? "plane strain" : "plane stress"},
-      {"Mesh", fmt::format("{}, {}, refined {}", problem.mesh.file.string(),
-                           counted(as_size(model.control.topology.num_faces()), "face", "faces"),
-                           counted(as_size(problem.mesh.levels), "time", "times"))},
+      {"Mesh",
+       fmt::format("{}, {}, refined {}", problem.mesh.file.string(),
+                   counted(as_size((result.adaptive ? result.adaptive->start : model.control)
+                                       .topology.num_faces()),
+                           "face", "faces"),
+                   counted(as_size(problem.mesh.levels), "time", "times"))},
       {"Functions",
        fmt::format("{}, {} boundary", problem.mesh.scheme,
                    problem.model.boundary == FieldBoundary::free ? "free ghosts beyond the"
@@ -104,11 +107,7 @@ void add_reactions(const PlaneResult& result, HtmlReport& report) {
 
 void add_checks(const PlaneResult& result, HtmlReport& report) {
   report.section("Checks");
-  std::vector<Check> checks;
-  for (const SolutionCheck& c : result.checks)
-    checks.push_back({c.name, format_readable(c.value, 3), "at most " + format_readable(c.limit, 2),
-                      c.passed()});
-  report.checks(checks);
+  report.checks(shown_checks(result.checks));
 }
 
 /// Figures in the report and as pictures beside it.
@@ -130,7 +129,8 @@ class Figures {
 void add_pictures(const PlaneResult& result, Figures& figures, HtmlReport& report) {
   const PlaneModel& model = result.model;
   report.section("Mesh");
-  figures.add(control_mesh_figure(model.control, {.title = "Control mesh"}), "control-mesh.png");
+  const Mesh& control = result.adaptive ? result.adaptive->start : model.control;
+  figures.add(control_mesh_figure(control, {.title = "Control mesh"}), "control-mesh.png");
   constexpr int most_faces = 20'000;
   if (model.problem.mesh.levels > 0 && model.mesh().topology.num_faces() <= most_faces)
     figures.add(control_mesh_figure(model.mesh(), {.title = "Mesh of the analysis"}),
@@ -155,6 +155,8 @@ std::vector<ReportFile> report_files(const PlaneResult& result) {
   if (result.solution.homogenised)
     add_homogenised(*result.solution.homogenised, model.problem.units, report);
   add_pictures(result, figures, report);
+  if (result.adaptive)
+    add_adaptive_section(*result.adaptive, model.mesh(), std::nullopt, report, files);
   add_probes(result, report);
   add_reactions(result, report);
   add_checks(result, report);

@@ -9,7 +9,10 @@
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
+#include "limes/mesh/defects.h"
 #include "limes/study/shell_supports.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
@@ -25,16 +28,49 @@ class Phases {
     check_interrupt();
     if (on_phase_) on_phase_(name);
     const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    timings_.emplace_back(name, seconds.count());
-    return result;
+    const auto stop = [&] {
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      timings_.emplace_back(name, seconds.count());
+    };
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      stop();
+    } else {
+      auto result = work();
+      stop();
+      return result;
+    }
   }
 
  private:
   const PhaseCallback& on_phase_;
   std::vector<std::pair<std::string, double>>& timings_;
 };
+
+/// Refines step by step from the mesh that the problem names; model and solution of `result` are
+/// those of the last step.
+template <class Result, class Build, class Solve>
+void solve_in_steps(const Problem& problem, const ModelOptions& options, const Build& build,
+                    const Solve& solve, int dofs_per_vertex, const PhaseCallback& on_phase,
+                    Result& result) {
+  MeshFile file = read_control_mesh(problem, options);
+  require_refinable(file.mesh, mesh_path(problem).string());
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
+  const Problem step = step_problem(problem);
+  int number = 0;
+  result.adaptive =
+      run_adaptively(problem, std::move(start), scheme, dofs_per_vertex, [&](const Mesh& mesh) {
+        if (on_phase)
+          on_phase(fmt::format("step {}, {} faces", number++, mesh.topology.num_faces()));
+        result.model = build(step, mesh);
+        result.solution = solve(result.model);
+        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
+                            estimate_error(result.model, result.solution)};
+      });
+  result.model.problem = problem;
+  result.model.remarks = std::move(file.remarks);
+}
 
 template <class Result>
 void write_all(const std::filesystem::path& folder, const Result& result) {
@@ -60,12 +96,39 @@ PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
                         const PhaseCallback& on_phase) {
   std::vector<std::pair<std::string, double>> timings;
   Phases phase(on_phase, timings);
-  PlaneResult result{
-      phase("model", [&] { return read_model(problem, options); }), {}, {}, {}, {}, 0, {}};
-  result.solution = phase("solve", [&] { return solve_plane(result.model); });
+  PlaneResult result;
+  if (problem.adapt) {
+    phase("steps",
+          [&] { solve_in_steps(problem, options, build_model, solve_plane, 2, on_phase, result); });
+  } else {
+    result.model = phase("model", [&] { return read_model(problem, options); });
+    result.solution = phase("solve", [&] { return solve_plane(result.model); });
+  }
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
   for (std::string& remark : remarks_on(result.probes, result.model))
     result.model.remarks.push_back(std::move(remark));
+  result.checks = phase("checks", [&] { return check_solution(result.model, result.solution); });
+  result.timings = std::move(timings);
+  return result;
+}
+
+PoissonResult run_poisson_problem(const Problem& problem, const ModelOptions& options,
+                                  const PhaseCallback& on_phase) {
+  std::vector<std::pair<std::string, double>> timings;
+  Phases phase(on_phase, timings);
+  PoissonResult result;
+  if (problem.adapt) {
+    phase("steps", [&] {
+      solve_in_steps(problem, options, build_model, solve_poisson, 1, on_phase, result);
+    });
+  } else {
+    result.model = phase("model", [&] { return read_model(problem, options); });
+    result.solution = phase("solve", [&] { return solve_poisson(result.model); });
+  }
+  result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
+  for (const PoissonProbe& p : result.probes)
+    if (auto remark = remark_on(p, p.state.x, result.model))
+      result.model.remarks.push_back(std::move(*remark));
   result.checks = phase("checks", [&] { return check_solution(result.model, result.solution); });
   result.timings = std::move(timings);
   return result;
@@ -93,6 +156,10 @@ ShellResult run_shell_problem(const Problem& problem, const ModelOptions& option
 }
 
 void write_results(const std::filesystem::path& folder, const PlaneResult& result) {
+  write_all(folder, result);
+}
+
+void write_results(const std::filesystem::path& folder, const PoissonResult& result) {
   write_all(folder, result);
 }
 

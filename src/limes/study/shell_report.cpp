@@ -74,11 +74,7 @@ void add_tables(const ShellResult& result, HtmlReport& report) {
     table.rows.push_back(row("support " + r.where, r.resultant.force, r.resultant.moment));
   report.table(table);
   report.section("Checks");
-  std::vector<Check> checks;
-  for (const SolutionCheck& c : result.checks)
-    checks.push_back({c.name, format_readable(c.value, 3), "at most " + format_readable(c.limit, 2),
-                      c.passed()});
-  report.checks(checks);
+  report.checks(shown_checks(result.checks));
 }
 
 }  // namespace
@@ -90,9 +86,7 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
                     problem.file.filename().string());
   add_summary(result, report);
   report.section("Displacement");
-  const Drawing picture = drawing(displacement_figure(result));
-  report.figure(picture);
-  files.push_back({"displacement.png", encode_png(to_image(picture))});
+  add_picture(drawing(displacement_figure(result)), "displacement.png", report, files);
   add_tables(result, report);
   report.raw_data("result.json, without timings", result_json(result, false).dump(2));
   report.footer(result.made_by);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limes/adapt/marking.h"
+#include "limes/subdiv/forest_mesh.h"
+
+namespace limes {
+
+/// When the loop ends, and what it refines.
+struct AdaptTargets {
+  MarkingKind mark = MarkingKind::doerfler;
+  double share = 0.5;           ///< see marked()
+  std::optional<double> error;  ///< relative to the energy norm of the solution
+  int max_dofs = 10'000;        ///< of vertices times dofs_per_vertex
+  int dofs_per_vertex = 1;
+  int max_steps = 30;
+  std::optional<double> max_seconds;       ///< no step begins later
+  std::optional<double> reference_energy;  ///< of the exact solution, for true errors
+};
+
+/// A solution on one mesh, and the squared error of each of its faces.
+struct StepSolution {
+  int dofs = 0;
+  double strain_energy = 0;
+  std::vector<double> squares;
+};
+
+struct AdaptStep {
+  int dofs = 0, elements = 0;
+  double strain_energy = 0;
+  double error_estimate = 0;  ///< in the energy norm, whose square is twice the energy
+  double relative_error = 0;  ///< estimate / energy norm of the exact solution, also estimated
+  /// With a reference energy: sqrt(2 |E - E_h|), and estimate / error.
+  std::optional<double> true_error, effectivity;
+};
+
+struct AdaptHistory {
+  std::vector<AdaptStep> steps;  ///< at least one
+  std::string end;               ///< why it ended: "target_error", "max_dofs", ...
+};
+
+/// Solve, estimate, mark, refine until a target is reached. Each step solves on the mesh of the forest
+/// with a conforming closure; the errors of the faces in a leaf add up. The last call of `solve` is the
+/// last step.
+/// @throws Interrupted between steps
+[[nodiscard]] AdaptHistory solve_adaptively(
+    Forest& forest, const AdaptTargets& targets,
+    const std::function<StepSolution(const ForestMesh& mesh)>& solve);
+
+}  // namespace limes

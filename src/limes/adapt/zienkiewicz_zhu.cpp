@@ -1,0 +1,99 @@
+#include "limes/adapt/zienkiewicz_zhu.h"
+
+#include <cmath>
+
+#include "limes/core/parallel.h"
+#include "limes/fem/element_points.h"
+
+namespace limes {
+namespace {
+
+/// Flux and place of every element's centre.
+struct Centres {
+  std::vector<VectorX> flux;
+  std::vector<Vec2> x;
+};
+
+Centres centres_of(const SubdivisionSpace& space, const EnergyDensity& energy) {
+  std::vector<ElementTable> tables;
+  for (int s = 0; s < space.num_shapes(); ++s)
+    tables.push_back(space.sample(s, {Vec2(0.5, 0.5)}));
+  const std::size_t n = space.elements().size();
+  Centres out{std::vector<VectorX>(n), std::vector<Vec2>(n)};
+  for_each_index(static_cast<std::int64_t>(n), [&](std::int64_t i) {
+    const int e = static_cast<int>(i);
+    const auto at = static_cast<std::size_t>(i);
+    const ElementTable& table = tables[static_cast<std::size_t>(space.elements()[at].shape)];
+    out.flux[at] = energy.stiffness(e) * energy.gradient(e, table).row(0).transpose();
+    out.x[at] = (table.G * space.control_points(e)).row(0).head<2>().transpose();
+  });
+  return out;
+}
+
+std::vector<int> element_of_face(const SubdivisionSpace& space) {
+  std::vector<int> out(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1);
+  for (std::size_t e = 0; e < space.elements().size(); ++e)
+    out[static_cast<std::size_t>(space.elements()[e].face.value)] = static_cast<int>(e);
+  return out;
+}
+
+/// The recovered flux at every corner of every face.
+IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Centres& centres,
+                                       const JoinsFaces& joined) {
+  const Adjacency& adjacency = space.geometry().adjacency();
+  const std::vector<int> element = element_of_face(space);
+  const std::vector<RecoveryPatch> patches = recovery_patches(adjacency, [&](HalfedgeId h) {
+    return space.has_element(adjacency.face(h)) &&
+           space.has_element(adjacency.face(adjacency.twin(h))) && joined(h);
+  });
+  IdArray<HalfedgeId, VectorX> out(static_cast<std::size_t>(adjacency.topology().num_corners()));
+  for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
+    const RecoveryPatch& patch = patches[static_cast<std::size_t>(i)];
+    if (!space.has_element(patch.faces[0])) return;
+    const auto m = static_cast<Eigen::Index>(patch.faces.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
+    MatrixX values;
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const auto e = static_cast<std::size_t>(
+          element[static_cast<std::size_t>(patch.faces[static_cast<std::size_t>(k)].value)]);
+      at.row(k) = (centres.x[e] - space.mesh().points[patch.vertex].head<2>()).transpose();
+      if (k == 0) values.resize(m, centres.flux[e].size());
+      values.row(k) = centres.flux[e].transpose();
+    }
+    const VectorX value = fitted_at_origin(at, values);
+    for (const HalfedgeId h : patch.corners)
+      out[h] = value;
+  });
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> zienkiewicz_zhu(const SubdivisionSpace& space, const EnergyDensity& energy,
+                                    const JoinsFaces& joined) {
+  const IdArray<HalfedgeId, VectorX> corner = recovered(space, centres_of(space, energy), joined);
+  const Topology& t = space.mesh().topology;
+  std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
+  for_each_index(static_cast<std::int64_t>(space.elements().size()), [&](std::int64_t i) {
+    const int e = static_cast<int>(i);
+    const Element& element = space.elements()[static_cast<std::size_t>(e)];
+    const ElementTable& table = space.table(element.shape);
+    ElementPoints points;
+    to_physical(table, space.control_points(e), points);
+    const MatrixX D = energy.stiffness(e), gradient = energy.gradient(e, table);
+    const Eigen::LDLT<MatrixX> inverse(D);
+    double sum = 0;
+    for (Eigen::Index q = 0; q < points.J.size(); ++q) {
+      const double u = table.uv(q, 0), v = table.uv(q, 1);
+      const std::array<double, 4> N{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+      VectorX difference = -(D * gradient.row(q).transpose());
+      for (int k = 0; k < 4; ++k)
+        difference += N[static_cast<std::size_t>(k)] * corner[t.halfedge(element.face, k)];
+      sum += std::abs(points.J(q)) * table.weight(q) * difference.dot(inverse.solve(difference));
+    }
+    out[static_cast<std::size_t>(element.face.value)] = sum;
+  });
+  return out;
+}
+
+}  // namespace limes

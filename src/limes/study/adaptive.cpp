@@ -1,0 +1,147 @@
+#include "limes/study/adaptive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "limes/core/error.h"
+#include "limes/limit/forest_limits.h"
+#include "limes/report/pictures.h"
+#include "limes/report/plot.h"
+#include "limes/report/ticks.h"
+#include "limes/study/control_mesh.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+AdaptTargets targets_of(const AdaptSettings& adapt, int dofs_per_vertex) {
+  return {.mark = adapt.mark,
+          .share = adapt.share,
+          .error = adapt.target_error,
+          .max_dofs = adapt.max_dofs,
+          .dofs_per_vertex = dofs_per_vertex,
+          .max_steps = adapt.max_steps,
+          .max_seconds = adapt.max_seconds,
+          .reference_energy = adapt.reference_energy};
+}
+
+std::string percent(double part) {
+  return format_readable(100 * part, 3) + " %";
+}
+
+}  // namespace
+
+Problem step_problem(const Problem& problem) {
+  Problem out = problem;
+  out.mesh.levels = 0;
+  return out;
+}
+
+AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& scheme,
+                           int dofs_per_vertex,
+                           const std::function<StepSolution(const Mesh&)>& solve) {
+  const Topology& t = start.topology;
+  for (int f = 0; f < t.num_faces(); ++f)
+    if (t.face_size(FaceId(f)) != 4)
+      throw InputError(
+          "{}:{}: [adapt] refines quads, but face {} of {} has {} corners; [mesh] "
+          "levels = 1 makes quads",
+          problem.file.string(), problem.adapt->line, f, mesh_path(problem).string(),
+          t.face_size(FaceId(f)));
+  Forest forest(start, scheme, {.levels = 0}, SplitUnit::families,
+                scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
+  AdaptiveRun run;
+  run.history = solve_adaptively(forest, targets_of(*problem.adapt, dofs_per_vertex),
+                                 [&](const ForestMesh& mesh) {
+                                   StepSolution step = solve(mesh.mesh);
+                                   run.squares = step.squares;
+                                   return step;
+                                 });
+  run.start = std::move(start);
+  return run;
+}
+
+Json steps_json(const AdaptiveRun& run) {
+  Json out = Json::array();
+  for (const AdaptStep& s : run.history.steps) {
+    Json step{{"dofs", s.dofs},
+              {"elements", s.elements},
+              {"strain_energy", s.strain_energy},
+              {"error_estimate", s.error_estimate},
+              {"relative_error_estimate", s.relative_error}};
+    if (s.true_error) step["error"] = *s.true_error;
+    if (s.effectivity) step["effectivity"] = *s.effectivity;
+    out.push_back(std::move(step));
+  }
+  return out;
+}
+
+std::string end_of(const AdaptiveRun& run) {
+  const std::string& end = run.history.end;
+  if (end == "target_error") return "The loop ended because the target of the error was reached.";
+  if (end == "no error left") return "The loop ended because no error was left to be seen.";
+  return fmt::format("The loop ended by {}.", end);
+}
+
+Table steps_table(const AdaptiveRun& run) {
+  const bool reference = run.history.steps.front().true_error.has_value();
+  Table table{"Error in the energy norm, and its part of the norm of the solution",
+              {"step", "unknowns", "elements", "energy", "estimated error", "part"},
+              {}};
+  if (reference) table.header.insert(table.header.end(), {"true error", "effectivity"});
+  int number = 0;
+  for (const AdaptStep& s : run.history.steps) {
+    table.rows.push_back({std::to_string(number++), std::to_string(s.dofs),
+                          std::to_string(s.elements), format_readable(s.strain_energy, 8),
+                          format_readable(s.error_estimate, 4), percent(s.relative_error)});
+    if (!reference) continue;
+    table.rows.back().push_back(format_readable(*s.true_error, 4));
+    table.rows.back().push_back(s.effectivity ? format_readable(*s.effectivity, 3) : "");
+  }
+  return table;
+}
+
+Drawing steps_drawing(const AdaptiveRun& run) {
+  Series estimate{.name = "estimate", .points = {}};
+  Series error{.name = "error", .points = {}, .dashed = true};
+  for (const AdaptStep& s : run.history.steps) {
+    estimate.points.emplace_back(s.dofs, s.error_estimate);
+    if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
+  }
+  std::vector<Series> series{std::move(estimate)};
+  if (!error.points.empty()) series.push_back(std::move(error));
+  return drawing(convergence_plot("Adaptive refinement", "unknowns", "error in the energy norm",
+                                  std::move(series), {{-0.5}}));
+}
+
+Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
+                    const std::optional<Vec3>& direction) {
+  FieldPicture field;
+  double largest = 0;
+  for (const double square : run.squares)
+    largest = std::max(largest, std::sqrt(square));
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    const double error = std::sqrt(run.squares[static_cast<std::size_t>(f)]);
+    const int first = static_cast<int>(field.points.size());
+    for (const VertexId v : mesh.topology.face(FaceId(f))) {
+      field.points.push_back(mesh.points[v]);
+      field.values.push_back(largest > 0 ? error / largest : 0.0);
+    }
+    field.triangles.push_back({first, first + 1, first + 2});
+    field.triangles.push_back({first, first + 2, first + 3});
+  }
+  field.quantity = "η / η_{max}";
+  constexpr int most_faces = 20'000;
+  if (mesh.topology.num_faces() < most_faces) {
+    field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
+    field.mesh_lines->width = 0.5;
+  }
+  return field_figure(field, {.title = "Mesh and error of the last step", .direction = direction});
+}
+
+}  // namespace limes

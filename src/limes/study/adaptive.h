@@ -1,0 +1,43 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limes/adapt/loop.h"
+#include "limes/report/figure.h"
+#include "limes/report/html.h"
+#include "limes/study/problem.h"
+
+namespace limes {
+
+/// An adaptive run as it is reported.
+struct AdaptiveRun {
+  AdaptHistory history;
+  Mesh start;                   ///< before the first step
+  std::vector<double> squares;  ///< squared error of each face of the last mesh
+};
+
+/// The problem as each step solves it: on a mesh as it is.
+[[nodiscard]] Problem step_problem(const Problem& problem);
+
+/// Runs the loop on a forest of quadtrees on a mesh.
+/// @param scheme  that places new vertices
+/// @param solve   solves step_problem() on the mesh of a step
+/// @throws InputError for a face that is no quad
+[[nodiscard]] AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& scheme,
+                                         int dofs_per_vertex,
+                                         const std::function<StepSolution(const Mesh&)>& solve);
+
+/// One object per step, for result.json.
+[[nodiscard]] nlohmann::ordered_json steps_json(const AdaptiveRun& run);
+
+/// Why the loop ended, as a sentence.
+[[nodiscard]] std::string end_of(const AdaptiveRun& run);
+/// A line per step.
+[[nodiscard]] Table steps_table(const AdaptiveRun& run);
+/// Error over degrees of freedom, both logarithmic.
+[[nodiscard]] Drawing steps_drawing(const AdaptiveRun& run);
+/// The logarithm of the error of each face, where it lies.
+[[nodiscard]] Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
+                                  const std::optional<Vec3>& direction);
+
+}  // namespace limes

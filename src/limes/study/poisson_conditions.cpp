@@ -1,0 +1,136 @@
+#include "limes/study/poisson_conditions.h"
+
+#include <cmath>
+
+#include "limes/core/error.h"
+#include "limes/fem/load.h"
+#include "limes/mesh/pieces.h"
+#include "limes/study/selection.h"
+#include "limes/study/supports.h"
+
+namespace limes {
+namespace {
+
+double finite(const PlaneModel& model, const Expression& formula, const Vec3& x, int line) {
+  const double value = formula(x);
+  if (!std::isfinite(value))
+    throw InputError("{}:{}: '{}' has no finite value at ({:.6g}, {:.6g})",
+                     model.problem.file.string(), line, formula.text(), x.x(), x.y());
+  return value;
+}
+
+Selection selection(const PlaneModel& model, const std::string& where, int line) {
+  return {model.mesh(), model.adjacency(),           model.limit_points.span(),
+          where,        model.problem.file.string(), line};
+}
+
+void require_quads(const PlaneModel& model) {
+  const Topology& t = model.mesh().topology;
+  for (int f = 0; f < t.num_faces(); ++f)
+    if (t.face_size(FaceId(f)) != 4)
+      throw InputError(
+          "{}: face {} has {} corners; bilinear elements have 4, [mesh] levels = 1 makes them",
+          mesh_path(model.problem).string(), f, t.face_size(FaceId(f)));
+}
+
+/// Faces are joined by common vertices. A piece in which no vertex is held has many solutions.
+void require_held_pieces(const PlaneModel& model, const std::vector<int>& held_at) {
+  const SubdivisionSpace& space = *model.space;
+  DisjointSets sets(space.num_dofs());
+  for (int e = 0; e < static_cast<int>(space.elements().size()); ++e)
+    for (const int a : space.dofs(e))
+      sets.join(a, space.dofs(e)[0]);
+  std::vector<bool> held(held_at.size(), false);
+  for (std::size_t a = 0; a < held_at.size(); ++a)
+    if (held_at[a] >= 0) held[static_cast<std::size_t>(sets.find(static_cast<int>(a)))] = true;
+  for (int e = 0; e < static_cast<int>(space.elements().size()); ++e) {
+    if (held[static_cast<std::size_t>(sets.find(space.dofs(e)[0]))]) continue;
+    const Vec3 x = space.control_points(e).row(0).transpose();
+    throw InputError(
+        "{}: no [[support]] gives a value in the piece of the mesh at ({:.6g}, {:.6g}); the "
+        "solution is known there but for a constant",
+        model.problem.file.string(), x.x(), x.y());
+  }
+}
+
+/// Component 0 of the load of a vector field.
+VectorX scalar(const VectorX& f) {
+  return Eigen::Map<const VectorX, 0, Eigen::InnerStride<2>>(f.data(), f.size() / 2);
+}
+
+VectorX source_load(const PlaneModel& model, const LoadSettings& load, const Selection& chosen) {
+  std::vector<bool> face(static_cast<std::size_t>(model.mesh().topology.num_faces()), false);
+  const std::vector<FaceId> faces = chosen.faces();
+  if (faces.empty())
+    throw InputError("{}:{}: '{}' selects no face; all vertices of a face must be selected",
+                     model.problem.file.string(), load.line, load.where);
+  for (const FaceId f : faces)
+    face[static_cast<std::size_t>(f.value)] = true;
+  std::vector<bool> element;
+  for (const Element& e : model.space->elements())
+    element.push_back(face[static_cast<std::size_t>(e.face.value)]);
+  return scalar(body_load(*model.space, element, [&](const Vec3& x) {
+    return Vec2(finite(model, load.value[0], x, load.line), 0);
+  }));
+}
+
+VectorX flux_load(const PlaneModel& model, const LoadSettings& load, const Selection& chosen) {
+  const std::vector<HalfedgeId> sides = selected_sides(model, chosen);
+  if (sides.empty())
+    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
+                     model.problem.file.string(), load.line, load.where);
+  return scalar(side_load(*model.space, sides, [&](const Vec3& x, const Vec2& /*normal*/) {
+    return Vec2(finite(model, load.value[0], x, load.line), 0);
+  }));
+}
+
+}  // namespace
+
+int dof_of_vertex(const SubdivisionSpace& space, VertexId v) {
+  for (const auto& [dof, weight] : value_at_vertex(space, v))
+    if (weight > 0.5) return dof;
+  return -1;
+}
+
+std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
+  require_quads(model);
+  std::vector<HeldVertex> out;
+  std::vector<int> held_at(static_cast<std::size_t>(model.space->num_dofs()), -1);
+  for (int s = 0; s < static_cast<int>(model.problem.supports.size()); ++s) {
+    const SupportSettings& support = model.problem.supports[static_cast<std::size_t>(s)];
+    const Selection chosen = selection(model, support.where, support.where_line);
+    for (std::size_t v = 0; v < chosen.vertices().size(); ++v) {
+      const VertexId vertex(static_cast<std::int64_t>(v));
+      const int dof = chosen.vertices()[v] ? dof_of_vertex(*model.space, vertex) : -1;
+      if (dof < 0) continue;
+      const Vec3& x = model.limit_points[vertex];
+      const double value = finite(model, support.value, x, support.line);
+      int& at = held_at[static_cast<std::size_t>(dof)];
+      if (at < 0) {
+        at = static_cast<int>(out.size());
+        out.push_back({dof, value, s});
+        continue;
+      }
+      const double other = out[static_cast<std::size_t>(at)].value;
+      if (std::abs(value - other) > 1e-9 * (1 + std::abs(value)))
+        throw InputError(
+            "{}:{}: the vertex at ({:.6g}, {:.6g}) has the value {}, and {} by another "
+            "support; make them agree",
+            model.problem.file.string(), support.line, x.x(), x.y(), value, other);
+    }
+  }
+  require_held_pieces(model, held_at);
+  return out;
+}
+
+VectorX poisson_loads(const PlaneModel& model) {
+  VectorX f = VectorX::Zero(model.space->num_dofs());
+  for (const LoadSettings& load : model.problem.loads) {
+    const Selection chosen = selection(model, load.where, load.where_line);
+    f += load.kind == LoadKind::source ? source_load(model, load, chosen)
+                                       : flux_load(model, load, chosen);
+  }
+  return f;
+}
+
+}  // namespace limes
