@@ -6,7 +6,7 @@
 namespace limes {
 namespace {
 
-constexpr std::size_t enough_faces = 4;
+constexpr std::size_t enough_faces = 3;
 
 /// The corners of a vertex in the order of its ring, cut where faces are not joined.
 std::vector<std::vector<HalfedgeId>> sectors(const Adjacency& adjacency, VertexId v,

@@ -139,7 +139,7 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
   constexpr int most_faces = 20'000;
   if (mesh.topology.num_faces() < most_faces) {
     field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
-    field.mesh_lines->width = 0.5;
+    field.mesh_lines.width = 0.5;
   }
   return field_figure(field, {.title = "Mesh and error of the last step", .direction = direction});
 }
