@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Spectrum spectrum(std::string_view scheme, int valence, double tension = 1.0) {
-  return analyse(find_scheme(scheme), valence, tension).spectrum;
+  return analyse(find_scheme(scheme), valence, {.tension = tension}).spectrum;
 }
 
 /// Real eigenvalues of one block, largest first.
@@ -253,7 +253,7 @@ TEST(CharacteristicMap, IsTheGridAtRegularVertices) {
 
 TEST(LocalSubdivision, CommutesWithTheRotation) {
   for (const Scheme& scheme : all_schemes()) {
-    const LocalSubdivision local(scheme, 6, 1.0, 16);
+    const LocalSubdivision local(scheme, 6, {}, 16);
     const int n = local.num_sectors();
     const Eigen::Index size = local.num_invariant_places();
     MatrixX A = MatrixX(local.matrix()).topLeftCorner(size, size);
