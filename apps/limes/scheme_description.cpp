@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limes/subdiv/breakpoints.h"
 #include "mask_table.h"
 #include "rule_layout.h"
 
@@ -77,7 +78,8 @@ std::vector<std::string> notes_of(const Scheme& scheme) {
   if (scheme.boundary == Boundary::creases)
     notes.emplace_back("creases of finite sharpness below 1 blend the rules of crease and surface");
   if (scheme.boundary == Boundary::open_net)
-    notes.emplace_back("boundary vertices that turn by more than 30 degrees are corners");
+    notes.push_back(fmt::format("boundary vertices that turn by more than {:g} degrees are corners",
+                                breakpoint_angle));
   return notes;
 }
 

@@ -22,21 +22,26 @@ namespace limes {
 
 using namespace problem_file;
 
-/// A problem that has every key there is.
+inline std::string whole_file(const std::string& name) {
+  std::ifstream file(LIMES_TEST_DATA_DIR "/study/" + name);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// A problem that has every key that plane models have.
 inline const std::string& full() {
-  static const std::string text = [] {
-    std::ifstream file(LIMES_TEST_DATA_DIR "/study/full.toml");
-    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }();
+  static const std::string text = whole_file("full.toml");
   return text;
 }
 
-/// A shell with every key that only shells have.
+/// A shell on a cylinder with every key that only shells have.
 inline const std::string& full_shell() {
-  static const std::string text = [] {
-    std::ifstream file(LIMES_TEST_DATA_DIR "/study/full_shell.toml");
-    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }();
+  static const std::string text = whole_file("full_shell.toml");
+  return text;
+}
+
+/// A shell with the keys that a graph has instead.
+inline const std::string& full_graph() {
+  static const std::string text = whole_file("full_graph.toml");
   return text;
 }
 
@@ -102,9 +107,10 @@ class Draft {
       set(table, "force", "[0, 0]");
     if (table == "geometry") {
       set("model", "kind", "\"mitc4\"");
-      set(table, "kind", "\"sphere\"");
-      set(table, "radius", "1");
+      set(table, "kind", key == "height" ? "\"graph\"" : "\"cylinder\"");
+      set(table, key == "height" ? key : "radius", "1");
     }
+    if (key == "shear_factor" || key == "kink_angle") set("model", "kind", "\"mitc4\"");
     if (table == "support" && (key == "kind" || key == "rotation")) {
       set("model", "kind", "\"mitc4\"");
       erase(table, "fix");

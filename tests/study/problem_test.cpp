@@ -94,11 +94,11 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   const Problem p = parse(full_shell());
   EXPECT_TRUE(p.mesh.exact);
   ASSERT_TRUE(p.geometry);
-  EXPECT_EQ(p.geometry->kind, GeometrySettings::Kind::sphere);
+  EXPECT_EQ(p.geometry->kind, GeometrySettings::Kind::cylinder);
   EXPECT_EQ(p.geometry->point, Vec3(1, 2, 3));
   EXPECT_EQ(p.geometry->axis, Vec3(0, 1, 0));
   EXPECT_EQ(p.geometry->radius, 10);
-  EXPECT_EQ(p.geometry->height(Vec3(2, 3, 0)), 6);
+  EXPECT_EQ(parse(full_graph()).geometry->height(Vec3(2, 3, 0)), 6);
   EXPECT_EQ(p.model.kind, ModelKind::mitc4);
   EXPECT_EQ(p.model.shear_factor, 1);
   EXPECT_EQ(p.model.kink_angle, 45);
@@ -127,6 +127,24 @@ TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
   expect_message(
       message_of<InputError>(full_shell() + "\n[periodic]\ngradient = [[1, 0.1], [0, 1]]\n"),
       "p.toml:", {"a periodic cell is plane"});
+}
+
+TEST(Problem, KeysOfAnotherKindAreRefused) {
+  const std::string plane = Draft().text();
+  for (const char* key : {"shear_factor = 1", "kink_angle = 20"}) {
+    std::string text = plane;
+    text.insert(text.find("kind"), std::string(key) + "\n");
+    expect_message(message_of<InputError>(text), "p.toml:", {"is no key of plane models"});
+  }
+  for (const char* key : {"boundary = \"free\"", "kinks = true", "quadrature_points = 3"}) {
+    std::string text = full_shell();
+    text.insert(text.find("shear_factor"), std::string(key) + "\n");
+    expect_message(message_of<InputError>(text), "p.toml:", {"is no key of kind = \"mitc4\""});
+  }
+  std::string text = full_graph();
+  text.insert(text.find("height"), "radius = 1\n");
+  expect_message(message_of<InputError>(text), "p.toml:9: [geometry] radius is no key of a graph",
+                 {});
 }
 
 TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {

@@ -239,6 +239,23 @@ MeshFile read_ply(std::string_view bytes, std::string_view file) {
   return PlyReader(bytes, file).read();
 }
 
+namespace {
+
+/// PLY has no whole numbers of eight bytes: larger ones are written as doubles.
+bool fits_int(const FaceField& field) {
+  return std::all_of(field.values.begin(), field.values.end(),
+                     [](std::int64_t x) { return x == static_cast<std::int32_t>(x); });
+}
+
+void write_field(const FaceField& field, bool as_int, std::size_t face, ChunkWriter& out) {
+  if (as_int)
+    out.number(static_cast<std::int32_t>(field.values[face]));
+  else
+    out.number(static_cast<double>(field.values[face]));
+}
+
+}  // namespace
+
 void write_ply(const ByteSink& sink, const Mesh& mesh) {
   const int num_faces = mesh.topology.num_faces();
   int largest = 0;
@@ -249,8 +266,14 @@ void write_ply(const ByteSink& sink, const Mesh& mesh) {
   out.print(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
       "property double y\nproperty double z\nelement face {}\n"
-      "property list {} int vertex_indices\nend_header\n",
+      "property list {} int vertex_indices\n",
       mesh.points.size(), num_faces, short_lists ? "uchar" : "uint");
+  std::vector<bool> as_int;
+  for (const FaceField& field : mesh.face_fields) {
+    as_int.push_back(fits_int(field));
+    out.print("property {} {}\n", as_int.back() ? "int" : "double", field.name);
+  }
+  out.print("end_header\n");
   for (const Vec3& x : mesh.points)
     for (int axis = 0; axis < 3; ++axis)
       out.number(x[axis]);
@@ -262,6 +285,8 @@ void write_ply(const ByteSink& sink, const Mesh& mesh) {
       out.number(static_cast<std::uint32_t>(face.size()));
     for (const VertexId v : face)
       out.number(v.value);
+    for (std::size_t k = 0; k < as_int.size(); ++k)
+      write_field(mesh.face_fields[k], as_int[k], static_cast<std::size_t>(f), out);
   }
   out.flush();
 }

@@ -232,6 +232,8 @@ void write_vtu(const ByteSink& sink, const Mesh& mesh) {
                                      : VtkCell::polygon,
                   cell);
   }
+  for (const FaceField& field : mesh.face_fields)
+    grid.cell_data.push_back({field.name, 1, field.values});
   write_vtu(sink, grid);
 }
 

@@ -17,9 +17,8 @@ Vec3 arm(const GeometrySettings& surface, const Vec3& x) {
   }
   if (!(d.norm() > 1e-9 * surface.radius))
     throw InputError(
-        "a vertex at ({:.6g}, {:.6g}, {:.6g}) is on the axis of [geometry], no point of the "
-        "surface is "
-        "nearest to it",
+        "a vertex at ({:.6g}, {:.6g}, {:.6g}) is on the axis or at the centre of [geometry]; no "
+        "point of the surface is nearest to it",
         x.x(), x.y(), x.z());
   return d;
 }

@@ -7,11 +7,6 @@
 
 namespace limes {
 
-std::filesystem::path mesh_path(const Problem& problem) {
-  const std::filesystem::path& file = problem.mesh.file;
-  return file.is_absolute() ? file : problem.file.parent_path() / file;
-}
-
 std::vector<int> materials_of_faces(const Problem& problem, const Mesh& mesh,
                                     const Adjacency& adjacency, std::span<const Vec3> points) {
   std::vector<int> material(static_cast<std::size_t>(mesh.topology.num_faces()), -1);

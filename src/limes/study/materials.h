@@ -8,9 +8,6 @@
 
 namespace limes {
 
-/// The mesh file, meant from the problem file's folder.
-[[nodiscard]] std::filesystem::path mesh_path(const Problem& problem);
-
 /// Index in problem.materials of the material of every face; -1 where there is none.
 /// @param points  limit position of every vertex
 /// @throws InputError for a face with two materials

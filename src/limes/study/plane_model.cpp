@@ -5,10 +5,8 @@
 #include <utility>
 
 #include "limes/core/error.h"
-#include "limes/io/io.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
-#include "limes/mesh/repair.h"
 #include "limes/study/materials.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/refine.h"
@@ -129,15 +127,9 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
 }
 
 PlaneModel read_model(const Problem& problem, const ModelOptions& options) {
-  MeshFile file = read_mesh(mesh_path(problem));
-  std::vector<std::string> remarks = std::move(file.remarks);
-  if (options.repair) {
-    RepairResult repaired = repair(file.mesh);
-    file.mesh = std::move(repaired.mesh);
-    remarks.insert(remarks.end(), repaired.done.begin(), repaired.done.end());
-  }
+  MeshFile file = read_control_mesh(problem, options);
   PlaneModel model = build_model(problem, std::move(file.mesh));
-  model.remarks = std::move(remarks);
+  model.remarks = std::move(file.remarks);
   return model;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "limes/fem/plane_elasticity.h"
-#include "limes/study/problem.h"
+#include "limes/study/control_mesh.h"
 
 namespace limes {
 
@@ -31,10 +31,6 @@ struct PlaneModel {
   [[nodiscard]] PlaneAssumption assumption() const;
   [[nodiscard]] Isotropic material(int element) const;
   [[nodiscard]] double thickness(int element) const;
-};
-
-struct ModelOptions {
-  bool repair = false;  ///< mend what mesh/repair.h can mend
 };
 
 /// Refines a control mesh, finds the materials and builds the space.

@@ -25,6 +25,14 @@ SupportKind support_kind(std::string_view name) {
   return SupportKind::listed;
 }
 
+/// For keys that mean nothing to the kind that the table names.
+void refuse_keys(const TableReader& table, std::string_view name,
+                 std::initializer_list<std::string_view> keys, std::string_view whose) {
+  for (const std::string_view key : keys)
+    if (table.has(key))
+      fail(table.place(key), fmt::format("[{}] {} is no key of {}; remove it", name, key, whose));
+}
+
 /// The tables of a document, one kind after the other.
 class ProblemReader {
  public:
@@ -122,6 +130,9 @@ void ProblemReader::read_geometry() {
     table.read("point", geometry.point);
     table.read("axis", geometry.axis);
     table.read("radius", geometry.radius);
+    if (kind == "sphere") refuse_keys(table, "geometry", {"axis", "height"}, "a sphere");
+    if (kind == "cylinder") refuse_keys(table, "geometry", {"height"}, "a cylinder");
+    if (kind == "graph") refuse_keys(table, "geometry", {"point", "axis", "radius"}, "a graph");
     if (!(geometry.axis.norm() > 0))
       fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
   }
@@ -143,6 +154,11 @@ void ProblemReader::read_model() {
     table.read("kinks", model.kinks);
     table.read("quadrature_points", model.quadrature_points);
     table.read("quadrature_depth", model.quadrature_depth);
+    if (model.kind == ModelKind::mitc4)
+      refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
+                  "kind = \"mitc4\"");
+    else
+      refuse_keys(table, "model", {"shear_factor", "kink_angle"}, "plane models");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "limes/limit/limit_surface.h"
 #include "limes/study/result_files.h"
+#include "limes/study/result_parts.h"
 
 namespace limes {
 namespace {
@@ -37,14 +38,6 @@ Json reactions_json(const PlaneSolution& solution) {
   return out;
 }
 
-Json checks_json(const std::vector<SolutionCheck>& checks) {
-  Json out = Json::array();
-  for (const SolutionCheck& c : checks)
-    out.push_back(
-        {{"name", c.name}, {"value", c.value}, {"limit", c.limit}, {"passed", c.passed()}});
-  return out;
-}
-
 }  // namespace
 
 nlohmann::ordered_json result_json(const PlaneResult& result, bool with_timings) {
@@ -73,13 +66,7 @@ nlohmann::ordered_json result_json(const PlaneResult& result, bool with_timings)
     out["cell"] = {h.width, h.height};
   }
   out["checks"] = checks_json(result.checks);
-  if (with_timings) {
-    Json timings = Json::object();
-    for (const auto& [phase, seconds] : result.timings)
-      timings[phase] = seconds;
-    out["timings"] = timings;
-    out["peak_memory"] = result.peak_memory;
-  }
+  if (with_timings) add_cost(result.timings, result.peak_memory, out);
   return out;
 }
 

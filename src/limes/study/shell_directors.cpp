@@ -1,6 +1,5 @@
 #include "limes/study/shell_directors.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -20,6 +19,28 @@ std::vector<HalfedgeId> ring(const Adjacency& adjacency, VertexId v) {
   return out;
 }
 
+/// The corners of a vertex between its kinks: two neighbours are in one group unless their normals
+/// differ by more than the kink angle.
+std::vector<std::vector<HalfedgeId>> smooth_groups(const std::vector<HalfedgeId>& corners,
+                                                   bool closed,
+                                                   const IdArray<HalfedgeId, Vec3>& corner_normal,
+                                                   double cosine) {
+  std::vector<std::vector<HalfedgeId>> groups;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const bool kink =
+        i == 0 || corner_normal[corners[i - 1]].dot(corner_normal[corners[i]]) < cosine;
+    if (kink) groups.emplace_back();
+    groups.back().push_back(corners[i]);
+  }
+  // Around an inner vertex the last group goes on in the first.
+  if (closed && groups.size() > 1 &&
+      corner_normal[corners.back()].dot(corner_normal[corners.front()]) >= cosine) {
+    groups.back().insert(groups.back().end(), groups.front().begin(), groups.front().end());
+    groups.erase(groups.begin());
+  }
+  return groups;
+}
+
 }  // namespace
 
 Directors mean_directors(const Adjacency& adjacency, const IdArray<HalfedgeId, Vec3>& corner_normal,
@@ -29,34 +50,16 @@ Directors mean_directors(const Adjacency& adjacency, const IdArray<HalfedgeId, V
   Directors out{IdArray<HalfedgeId, Vec3>(static_cast<std::size_t>(t.num_corners())),
                 IdArray<VertexId, char>(static_cast<std::size_t>(t.num_vertices()), 1)};
   for (int v = 0; v < t.num_vertices(); ++v) {
-    const std::vector<HalfedgeId> corners = ring(adjacency, VertexId(v));
-    const std::size_t n = corners.size();
     const bool closed = !adjacency.is_boundary(VertexId(v));
-    // kink[i]: between corner i and the next; the last is an edge only where the ring closes
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < n; ++i)
-      if ((i + 1 < n || closed) &&
-          corner_normal[corners[i]].dot(corner_normal[corners[(i + 1) % n]]) < cosine)
-        starts.push_back((i + 1) % n);
-    const std::size_t groups = closed ? starts.size() : starts.size() + 1;
-    out.smooth[VertexId(v)] = groups <= 1;
-    const std::size_t first = closed && !starts.empty() ? starts.front() : 0;
-    std::vector<HalfedgeId> group;
-    const auto finish = [&] {
+    const auto groups = smooth_groups(ring(adjacency, VertexId(v)), closed, corner_normal, cosine);
+    out.smooth[VertexId(v)] = groups.size() <= 1;
+    for (const auto& group : groups) {
       Vec3 sum = Vec3::Zero();
       for (const HalfedgeId h : group)
         sum += corner_normal[h];
       for (const HalfedgeId h : group)
         out.at_corner[h] = sum.normalized();
-      group.clear();
-    };
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t i = (first + k) % n;
-      const bool begins = std::find(starts.begin(), starts.end(), i) != starts.end();
-      if (k > 0 && begins && groups > 1) finish();
-      group.push_back(corners[i]);
     }
-    if (!group.empty()) finish();
   }
   return out;
 }

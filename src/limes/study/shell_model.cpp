@@ -3,10 +3,8 @@
 #include <utility>
 
 #include "limes/core/error.h"
-#include "limes/io/io.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
-#include "limes/mesh/repair.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/materials.h"
 #include "limes/study/shell_directors.h"
@@ -16,16 +14,21 @@
 namespace limes {
 namespace {
 
+/// What the exact surface says, with the place of its table.
+template <class Work>
+auto on_surface(const Problem& problem, const Work& work) {
+  try {
+    return work(*problem.geometry);
+  } catch (const InputError& error) {
+    throw InputError("{}:{}: {}", problem.file.string(), problem.geometry->line, error.what());
+  }
+}
+
 /// Nodes halfway between others, then moved onto the exact surface; level by level.
 Mesh refined_on(const Problem& problem, Mesh mesh) {
-  const GeometrySettings& surface = *problem.geometry;
   for (int level = 0;; ++level) {
-    try {
-      for (Vec3& x : mesh.points)
-        x = project(surface, x);
-    } catch (const InputError& error) {
-      throw InputError("{}:{}: {}", problem.file.string(), surface.line, error.what());
-    }
+    for (Vec3& x : mesh.points)
+      x = on_surface(problem, [&](const GeometrySettings& s) { return project(s, x); });
     if (level == problem.mesh.levels) return mesh;
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
   }
@@ -62,7 +65,8 @@ IdArray<HalfedgeId, Vec3> face_normals(const Mesh& mesh, const std::string& file
 }
 
 /// Limit points become nodes; returns the limit surface's normal at each corner.
-IdArray<HalfedgeId, Vec3> move_to_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary) {
+IdArray<HalfedgeId, Vec3> move_to_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary,
+                                        const std::string& file) {
   const Adjacency adjacency(mesh.topology);
   const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, boundary), scheme);
   const LimitSurface surface(basis, mesh.points.span());
@@ -74,7 +78,9 @@ IdArray<HalfedgeId, Vec3> move_to_limit(Mesh& mesh, const Scheme& scheme, Bounda
       SurfacePoint p = surface.evaluate(FaceId(f), 0, uv);
       // at a cusp the normal is that of the face nearby
       if (!p.normal) p = surface.evaluate(FaceId(f), 0, uv + 1e-3 * (Vec2(0.5, 0.5) - uv));
-      if (!p.normal) throw InputError("face {} has no normal at its corner {}", f, i);
+      if (!p.normal)
+        throw InputError("{}: face {} of the refined mesh has no normal at its corner {}", file, f,
+                         i);
       normal[mesh.topology.halfedge(FaceId(f), i)] = *p.normal;
     }
   mesh.points = limit_positions(surface, mesh.points.span());
@@ -86,8 +92,9 @@ void set_exact_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& cor
   model.smooth = IdArray<VertexId, char>(static_cast<std::size_t>(t.num_vertices()), 1);
   model.director = IdArray<HalfedgeId, Vec3>(static_cast<std::size_t>(t.num_corners()));
   for (int h = 0; h < t.num_corners(); ++h) {
+    const Vec3& x = model.mesh->points[t.corner(HalfedgeId(h))];
     const Vec3 n =
-        outward_normal(*model.problem.geometry, model.mesh->points[t.corner(HalfedgeId(h))]);
+        on_surface(model.problem, [&](const GeometrySettings& s) { return outward_normal(s, x); });
     const bool inward = n.dot(corner_normal[HalfedgeId(h)]) < 0;  // faces say which side is up
     model.director[HalfedgeId(h)] = inward ? Vec3(-n) : n;
   }
@@ -175,7 +182,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   require_quads(mesh, file);
   IdArray<HalfedgeId, Vec3> normal;
   if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
-    normal = move_to_limit(mesh, scheme, boundary);
+    normal = move_to_limit(mesh, scheme, boundary, file);
   const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, file);
   model.mesh = std::make_unique<Mesh>(std::move(mesh));
   model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
@@ -186,15 +193,9 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
 }
 
 ShellModel read_shell_model(const Problem& problem, const ModelOptions& options) {
-  MeshFile file = read_mesh(mesh_path(problem));
-  std::vector<std::string> remarks = std::move(file.remarks);
-  if (options.repair) {
-    RepairResult repaired = repair(file.mesh);
-    file.mesh = std::move(repaired.mesh);
-    remarks.insert(remarks.end(), repaired.done.begin(), repaired.done.end());
-  }
+  MeshFile file = read_control_mesh(problem, options);
   ShellModel model = build_shell_model(problem, std::move(file.mesh));
-  model.remarks = std::move(remarks);
+  model.remarks = std::move(file.remarks);
   return model;
 }
 

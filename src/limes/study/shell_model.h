@@ -6,7 +6,7 @@
 
 #include "limes/fem/mitc4.h"
 #include "limes/mesh/adjacency.h"
-#include "limes/study/plane_model.h"
+#include "limes/study/control_mesh.h"
 
 namespace limes {
 

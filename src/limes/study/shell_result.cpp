@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limes/io/vtu.h"
+#include "limes/study/result_parts.h"
 
 namespace limes {
 namespace {
@@ -71,17 +72,8 @@ nlohmann::ordered_json result_json(const ShellResult& result, bool with_timings)
     out["reactions"].push_back({{"where", r.where},
                                 {"force", list(r.resultant.force)},
                                 {"moment", list(r.resultant.moment)}});
-  out["checks"] = Json::array();
-  for (const SolutionCheck& c : result.checks)
-    out["checks"].push_back(
-        {{"name", c.name}, {"value", c.value}, {"limit", c.limit}, {"passed", c.passed()}});
-  if (with_timings) {
-    Json timings = Json::object();
-    for (const auto& [phase, seconds] : result.timings)
-      timings[phase] = seconds;
-    out["timings"] = timings;
-    out["peak_memory"] = result.peak_memory;
-  }
+  out["checks"] = checks_json(result.checks);
+  if (with_timings) add_cost(result.timings, result.peak_memory, out);
   return out;
 }
 

@@ -177,23 +177,31 @@ void OpenNet::build_net() {
 }
 
 void OpenNet::resolve(Stencil& stencil) const {
+  if (rows_.empty()) return;
   const int num_vertices = mesh_->topology().num_vertices();
-  const auto all_of_mesh = [&](const Stencil::Group& g) {
-    const auto ids = stencil.ids(g);
-    return std::all_of(ids.begin(), ids.end(), [&](std::int32_t id) { return id < num_vertices; });
+  const auto row = [&](std::int32_t id) -> const std::vector<Term>& {
+    return rows_[static_cast<std::size_t>(id - num_vertices)];
   };
-  if (rows_.empty() || std::all_of(stencil.groups().begin(), stencil.groups().end(), all_of_mesh))
-    return;
+  const auto is_plain = [&](const Stencil::Group& g) {
+    const auto ids = stencil.ids(g);
+    return std::all_of(ids.begin(), ids.end(),
+                       [&](std::int32_t id) { return id < num_vertices || row(id).size() == 1; });
+  };
+  const bool plain = std::all_of(stencil.groups().begin(), stencil.groups().end(), is_plain);
   Stencil resolved;
-  for (const Stencil::Group& g : stencil.groups())
-    for (const std::int32_t id : stencil.ids(g)) {
-      if (id < num_vertices) {
+  std::vector<VertexId> vertices;
+  for (const Stencil::Group& g : stencil.groups()) {
+    vertices.clear();
+    for (const std::int32_t id : stencil.ids(g))
+      if (plain)
+        vertices.push_back(id < num_vertices ? VertexId(id) : row(id)[0].vertex);
+      else if (id < num_vertices)
         resolved.add(g.weight, VertexId(id));
-        continue;
-      }
-      for (const Term& t : rows_[static_cast<std::size_t>(id - num_vertices)])
-        resolved.add(g.weight * t.weight, t.vertex);
-    }
+      else
+        for (const Term& t : row(id))
+          resolved.add(g.weight * t.weight, t.vertex);
+    if (plain) resolved.add(g.weight, std::span<const VertexId>(vertices));
+  }
   stencil = std::move(resolved);
 }
 

@@ -49,7 +49,9 @@ class OpenNet {
   /// end.
   [[nodiscard]] CurveEdge curve(HalfedgeId h) const;
 
-  /// Replaces vertices that only the continued net has by those they stand for.
+  /// Replaces vertices that only the continued net has by those they stand for. Copies leave the
+  /// groups as they are: which part keeps a vertex shows in no bit, so that a piece of a mesh gets
+  /// the bits of the whole.
   void resolve(Stencil& stencil) const;
 
  private:

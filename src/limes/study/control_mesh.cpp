@@ -1,0 +1,22 @@
+#include "limes/study/control_mesh.h"
+
+#include "limes/mesh/repair.h"
+
+namespace limes {
+
+std::filesystem::path mesh_path(const Problem& problem) {
+  const std::filesystem::path& file = problem.mesh.file;
+  return file.is_absolute() ? file : problem.file.parent_path() / file;
+}
+
+MeshFile read_control_mesh(const Problem& problem, const ModelOptions& options) {
+  MeshFile file = read_mesh(mesh_path(problem));
+  if (options.repair) {
+    RepairResult repaired = repair(file.mesh);
+    file.mesh = std::move(repaired.mesh);
+    file.remarks.insert(file.remarks.end(), repaired.done.begin(), repaired.done.end());
+  }
+  return file;
+}
+
+}  // namespace limes

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "limes/io/io.h"
+#include "limes/study/problem.h"
+
+namespace limes {
+
+struct ModelOptions {
+  bool repair = false;  ///< mend what mesh/repair.h can mend
+};
+
+/// The mesh file, meant from the problem file's folder.
+[[nodiscard]] std::filesystem::path mesh_path(const Problem& problem);
+
+/// The control mesh, with remarks of the reader and on what was mended.
+/// @throws InputError as read_mesh() and repair()
+[[nodiscard]] MeshFile read_control_mesh(const Problem& problem, const ModelOptions& options);
+
+}  // namespace limes

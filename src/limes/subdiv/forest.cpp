@@ -1,0 +1,314 @@
+#include "limes/subdiv/forest.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/subdiv/refinement_step.h"
+
+namespace limes {
+namespace {
+
+std::uint64_t level_key(int level, VertexId v) {
+  return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint64_t>(v.value);
+}
+
+Features checked_features(const Adjacency& control, const Mesh& mesh, const Scheme& scheme,
+                          const RefineOptions& options) {
+  if (scheme.split != Split::quads)
+    throw UsageError(
+        "--scheme: {} does not split quads into four; local refinement takes catmull-clark, "
+        "kobbelt "
+        "or linear",
+        scheme.name);
+  for (int f = 0; f < mesh.topology.num_faces(); ++f)
+    if (mesh.topology.face_size(FaceId(f)) != 4)
+      throw InputError(
+          "face {} has {} corners; local refinement needs quads, which one step of refine makes", f,
+          mesh.topology.face_size(FaceId(f)));
+  Features features = control_features(control, mesh, scheme, options);
+  const RefinementStep refuses_what_does_not_fit(control, features, scheme);
+  return features;
+}
+
+}  // namespace
+
+Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
+               SplitUnit unit, LimitsOf limits)
+    : root_(std::make_shared<const Root>(control)),
+      unit_(unit),
+      nodes_(root_->adjacency, control.points.span(),
+             checked_features(root_->adjacency, control, scheme, options), scheme,
+             std::move(limits)) {
+  const Topology& topology = control.topology;
+  faces_.resize(static_cast<std::size_t>(topology.num_faces()));
+  root_offsets_.assign(static_cast<std::size_t>(topology.num_vertices()) + 1, 0);
+  for (const VertexId v : topology.corners())
+    ++root_offsets_[static_cast<std::size_t>(v.value) + 1];
+  for (std::size_t v = 1; v < root_offsets_.size(); ++v)
+    root_offsets_[v] += root_offsets_[v - 1];
+  root_faces_.resize(topology.corners().size());
+  std::vector<int> next(root_offsets_.begin(), root_offsets_.end() - 1);
+  for (int i = 0; i < topology.num_faces(); ++i) {
+    const FaceId f(i);
+    std::copy_n(topology.face(f).begin(), 4, faces_[f].corners.begin());
+    faces_[f].root = f;
+    for (const VertexId v : faces_[f].corners) {
+      int& at = next[static_cast<std::size_t>(v.value)];
+      root_faces_[static_cast<std::size_t>(at++)] = f;
+    }
+  }
+}
+
+bool Forest::before(FaceId a, FaceId b) const {
+  const Face &x = face(a), &y = face(b);
+  return x.root != y.root ? x.root < y.root : x.path < y.path;
+}
+
+template <class Visit>
+void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
+  if (level == 0) {
+    // Only the first vertices are the control mesh's.
+    const auto i = static_cast<std::size_t>(v.value);
+    if (i + 1 >= root_offsets_.size()) return;
+    for (int k = root_offsets_[i]; k < root_offsets_[i + 1]; ++k)
+      visit(root_faces_[static_cast<std::size_t>(k)]);
+    return;
+  }
+  const auto at = faces_at_.find(level_key(level, v));
+  if (at == faces_at_.end()) return;
+  for (const FaceId f : at->second)
+    visit(f);
+}
+
+std::vector<FaceId> Forest::faces_at(int level, VertexId v) const {
+  std::vector<FaceId> faces;
+  for_each_made_at(level, v, [&](FaceId f) {
+    if (exists(f)) faces.push_back(f);
+  });
+  return faces;
+}
+
+FaceAncestry Forest::ancestry(FaceId f) const {
+  return {face(f).root, face(f).level, face(f).path};
+}
+
+std::vector<FaceId> Forest::leaves() const {
+  std::vector<FaceId> all, open;
+  for (int root = 0; root < root_->mesh.topology.num_faces(); ++root) {
+    open.push_back(FaceId(root));
+    while (!open.empty()) {
+      const FaceId f = open.back();
+      open.pop_back();
+      if (!face(f).split) {
+        all.push_back(f);
+        continue;
+      }
+      for (int i = 3; i >= 0; --i)
+        open.push_back(FaceId(face(f).first_child.value + i));
+    }
+  }
+  return all;
+}
+
+/// What is split together with f.
+std::vector<FaceId> Forest::family(FaceId f) const {
+  const FaceId parent = face(f).parent;
+  if (unit_ == SplitUnit::faces || !parent.valid()) return {f};
+  const int first = face(parent).first_child.value;
+  return {FaceId(first), FaceId(first + 1), FaceId(first + 2), FaceId(first + 3)};
+}
+
+void Forest::request(FaceId f, Levels& wanted, std::unordered_map<std::int32_t, bool>& seen) const {
+  for (const FaceId g : family(f)) {
+    if (face(g).split || !seen.try_emplace(g.value, true).second) continue;
+    const auto level = static_cast<std::size_t>(face(g).level);
+    if (wanted.size() <= level) wanted.resize(level + 1);
+    wanted[level].push_back(g);
+    request_around(g, wanted, seen);
+  }
+}
+
+/// Before g can be split, all faces around its corners must exist on its level: those that its
+/// parent's neighbours become.
+void Forest::request_around(FaceId g, Levels& wanted,
+                            std::unordered_map<std::int32_t, bool>& seen) const {
+  const FaceId parent = face(g).parent;
+  if (!parent.valid()) return;
+  // Whatever shares a corner or a middle of a side with g has the corner of the parent that g is at.
+  const VertexId v = face(parent).corners[static_cast<std::size_t>(child_index(g))];
+  for (const FaceId n : faces_at(face(parent).level, v))
+    if (!face(n).split) request(n, wanted, seen);
+}
+
+int Forest::refine(std::span<const FaceId> leaves) {
+  Levels wanted;
+  std::unordered_map<std::int32_t, bool> seen;
+  for (const FaceId f : leaves) {
+    LIMES_ASSERT(exists(f) && !face(f).split);
+    if (face(f).level == max_level)
+      throw InputError(
+          "face {} has a face on level {}, which cannot be split; {} levels are the most",
+          face(f).root.value, max_level, max_level);
+    request(f, wanted, seen);
+  }
+  for (const std::vector<FaceId>& faces : wanted) {
+    make_children(faces);
+    for (const FaceId f : faces)
+      faces_[f].split = true;
+  }
+  return static_cast<int>(seen.size());
+}
+
+/// Adds the faces that share a vertex with a face of the patch; all are of one level.
+void Forest::add_neighbours(std::vector<FaceId>& patch) const {
+  const std::size_t num_before = patch.size();
+  for (std::size_t i = 0; i < num_before; ++i) {
+    const FaceId f = patch[i];
+    for (const VertexId v : face(f).corners)
+      for_each_made_at(face(f).level, v, [&](FaceId n) { patch.push_back(n); });
+  }
+  sort_unique(patch);
+}
+
+void Forest::sort_unique(std::vector<FaceId>& faces) const {
+  std::sort(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return before(a, b); });
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+bool Forest::touches_curve(FaceId f) const {
+  const QuadCorners& v = face(f).corners;
+  return std::any_of(v.begin(), v.end(), [&](VertexId x) { return nodes_.on_curve(x); });
+}
+
+/// The faces whose children lie around some faces of a level: those at the corner of the parent that
+/// a face lies at, or at all its corners where two rings are needed.
+std::vector<FaceId> Forest::parents_around(std::span<const FaceId> faces) const {
+  std::vector<FaceId> around;
+  for (const FaceId f : faces) {
+    const FaceId parent = face(f).parent;
+    if (!parent.valid()) continue;
+    const bool two_rings = touches_curve(f);
+    for (int i = 0; i < 4; ++i)
+      if (two_rings || i == child_index(f))
+        for_each_made_at(face(parent).level, corners(parent)[static_cast<std::size_t>(i)],
+                         [&](FaceId n) { around.push_back(n); });
+  }
+  sort_unique(around);
+  return around;
+}
+
+/// What the children of some faces of a level depend on.
+std::vector<FaceId> Forest::patch_around(std::span<const FaceId> faces) const {
+  std::vector<FaceId> patch(faces.begin(), faces.end());
+  add_neighbours(patch);
+  std::vector<FaceId> wide;  // those where two rings are needed
+  for (const FaceId f : faces)
+    if (face(f).level == 0 || touches_curve(f)) wide.push_back(f);
+  add_neighbours(wide);
+  add_neighbours(wide);
+  patch.insert(patch.end(), wide.begin(), wide.end());
+  sort_unique(patch);
+  return patch;
+}
+
+/// Makes the children of faces of one level that have none yet. What they depend on is made first:
+/// usually it exists already, by balance. The patch is ordered like uniform refinement, so that rings
+/// start where they do there: that makes positions equal bitwise.
+void Forest::make_children(std::vector<FaceId> faces) {
+  const auto has_children = [&](FaceId f) { return face(f).first_child.valid(); };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), has_children), faces.end());
+  if (faces.empty()) return;
+  sort_unique(faces);
+  make_children(parents_around(faces));
+  const int level = face(faces[0]).level;
+  const std::vector<FaceId> patch = patch_around(faces);
+  std::vector<QuadCorners> quads;
+  std::vector<bool> wanted;
+  for (const FaceId f : patch) {
+    quads.push_back(face(f).corners);
+    wanted.push_back(std::binary_search(faces.begin(), faces.end(), f,
+                                        [&](FaceId a, FaceId b) { return before(a, b); }));
+  }
+  const std::vector<ChildNodes> made = nodes_.make(level, quads, wanted);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const FaceId f = faces[k];
+    faces_[f].first_child = FaceId(faces_.size());
+    for (std::size_t i = 0; i < 4; ++i) {
+      Face child;
+      child.corners = {face(f).corners[i], made[k].sides[i], made[k].centre,
+                       made[k].sides[(i + 3) % 4]};
+      child.path = 4 * face(f).path + static_cast<std::int64_t>(i);
+      child.root = face(f).root;
+      child.parent = f;
+      child.level = level + 1;
+      for (const VertexId v : child.corners)
+        faces_at_[level_key(level + 1, v)].push_back(FaceId(faces_.size()));
+      faces_.push_back(child);
+    }
+  }
+}
+
+std::vector<ChildNodes> Forest::child_nodes(std::span<const FaceId> faces) {
+  Levels levels;
+  for (const FaceId f : faces) {
+    const auto level = static_cast<std::size_t>(face(f).level);
+    if (levels.size() <= level) levels.resize(level + 1);
+    levels[level].push_back(f);
+  }
+  for (std::vector<FaceId>& level : levels)
+    make_children(std::move(level));
+  std::vector<ChildNodes> nodes;
+  for (const FaceId f : faces) {
+    const int first = face(f).first_child.value;
+    ChildNodes& n = nodes.emplace_back();
+    for (int i = 0; i < 4; ++i)
+      n.sides[static_cast<std::size_t>(i)] = corners(FaceId(first + i))[1];
+    n.centre = corners(FaceId(first))[2];
+  }
+  return nodes;
+}
+
+/// Whether no split face shares a vertex with the children of f, which are leaves.
+bool Forest::can_merge(FaceId f) const {
+  bool free = true;
+  for (int i = 0; i < 4; ++i)
+    for (const VertexId v : face(FaceId(face(f).first_child.value + i)).corners)
+      for_each_made_at(face(f).level + 1, v,
+                       [&](FaceId n) { free = free && !(exists(n) && face(n).split); });
+  return free;
+}
+
+int Forest::coarsen(std::span<const FaceId> leaves) {
+  std::unordered_map<std::int32_t, int> marked;  // children of each parent
+  std::vector<FaceId> sorted(leaves.begin(), leaves.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  Levels parents;
+  for (const FaceId f : sorted) {
+    LIMES_ASSERT(exists(f) && !face(f).split);
+    const FaceId parent = face(f).parent;
+    if (!parent.valid() || ++marked[parent.value] < 4) continue;
+    const auto level = static_cast<std::size_t>(face(parent).level);
+    if (parents.size() <= level) parents.resize(level + 1);
+    parents[level].push_back(parent);
+  }
+  int merged = 0;
+  // From the finest level on; what is merged on one level does not block others of that level.
+  for (auto level = parents.rbegin(); level != parents.rend(); ++level)
+    for (const FaceId f : *level) {
+      if (!face(f).split) continue;  // merged with its family
+      const std::vector<FaceId> together = family(f);
+      const auto fits = [&](FaceId g) {
+        const auto at = marked.find(g.value);
+        return at != marked.end() && at->second == 4 && can_merge(g);
+      };
+      if (!std::all_of(together.begin(), together.end(), fits)) continue;
+      for (const FaceId g : together)
+        faces_[g].split = false;
+      merged += static_cast<int>(together.size());
+    }
+  return merged;
+}
+
+}  // namespace limes

@@ -1,0 +1,178 @@
+#include "limes/subdiv/forest_nodes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "limes/core/error.h"
+#include "limes/subdiv/refinement_step.h"
+#include "limes/subdiv/split.h"
+
+namespace limes {
+
+/// Some quads as a mesh of its own.
+struct ForestNodes::Patch {
+  std::vector<VertexId> nodes;  ///< of each of the mesh's vertices
+  Topology topology;
+
+  explicit Patch(std::span<const QuadCorners> quads) {
+    std::unordered_map<std::int32_t, VertexId> local;
+    std::vector<VertexId> corners;
+    corners.reserve(4 * quads.size());
+    for (const QuadCorners& quad : quads)
+      for (const VertexId v : quad) {
+        const auto [at, is_new] = local.try_emplace(v.value, VertexId(nodes.size()));
+        if (is_new) nodes.push_back(v);
+        corners.push_back(at->second);
+      }
+    topology = Topology(static_cast<int>(nodes.size()), 4, std::move(corners));
+  }
+  [[nodiscard]] VertexId node(VertexId local) const {
+    return nodes[static_cast<std::size_t>(local.value)];
+  }
+};
+
+ForestNodes::ForestNodes(const Adjacency& control, std::span<const Vec3> points,
+                         const Features& features, const Scheme& scheme, LimitsOf limits)
+    : scheme_(&scheme),
+      options_(features),
+      limits_(std::move(limits)),
+      positions_(std::vector<Vec3>(points.begin(), points.end())),
+      on_curve_(points.size(), 0) {
+  for (int v = 0; v < control.topology().num_vertices(); ++v)
+    on_curve_[VertexId(v)] = control.is_boundary(VertexId(v)) ? 1 : 0;
+  for (const SharpEdge& e : features.edges)
+    on_curve_[control.from(e.halfedge)] = on_curve_[control.to(e.halfedge)] = 1;
+  for (const SharpEdge& e : features.edges)
+    sharp_edges_[edge_key(control.from(e.halfedge), control.to(e.halfedge))] = e.sharpness;
+  for (const SharpVertex& v : features.vertices)
+    corners_[level_key(0, v.vertex)] = v;
+  if (scheme.interpolatory) return;
+  LIMES_ASSERT(limits_);
+  control_.assign(points.begin(), points.end());
+  positions_ = limits_(control.topology(), features, points);
+}
+
+std::uint64_t ForestNodes::edge_key(VertexId a, VertexId b) {
+  const auto [low, high] = std::minmax(a.value, b.value);
+  return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint64_t>(high);
+}
+
+std::uint64_t ForestNodes::level_key(int level, VertexId v) {
+  return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint64_t>(v.value);
+}
+
+const Vec3& ForestNodes::value(int level, VertexId v) const {
+  if (scheme_->interpolatory) return positions_[v];
+  return level == 0 ? control_[static_cast<std::size_t>(v.value)] : values_.at(level_key(level, v));
+}
+
+VertexId ForestNodes::middle(VertexId a, VertexId b) const {
+  const auto at = middles_.find(edge_key(a, b));
+  return at == middles_.end() ? VertexId() : at->second;
+}
+
+float ForestNodes::edge_sharpness(VertexId a, VertexId b) const {
+  const auto at = sharp_edges_.find(edge_key(a, b));
+  return at == sharp_edges_.end() ? 0.0F : at->second;
+}
+
+float ForestNodes::vertex_sharpness(int level, VertexId v) const {
+  const auto at = corners_.find(level_key(level, v));
+  return at == corners_.end() ? 0.0F : at->second.sharpness;
+}
+
+VertexId ForestNodes::middle_or_new(VertexId a, VertexId b, bool on_curve) {
+  const auto [at, is_new] = middles_.try_emplace(edge_key(a, b), VertexId(positions_.size()));
+  if (is_new) {
+    positions_.push_back(Vec3::Zero());
+    on_curve_.push_back(on_curve ? 1 : 0);
+  }
+  return at->second;
+}
+
+Features ForestNodes::features_of(const Patch& patch, int level) const {
+  Features features;
+  static_cast<RuleOptions&>(features) = options_;
+  features.level = options_.level + level;
+  if (!sharp_edges_.empty()) {
+    const Adjacency adjacency(patch.topology, Adjacency::Check::edges);
+    for (int e = 0; e < adjacency.num_edges(); ++e) {
+      const HalfedgeId h = adjacency.halfedge(EdgeId(e));
+      const float s = edge_sharpness(patch.node(adjacency.from(h)), patch.node(adjacency.to(h)));
+      if (s > 0) features.edges.push_back({h, s});
+    }
+  }
+  if (corners_.empty()) return features;
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i)
+    if (const auto at = corners_.find(level_key(level, patch.nodes[i])); at != corners_.end())
+      features.vertices.push_back({VertexId(i), at->second.sharpness, at->second.angle});
+  return features;
+}
+
+std::vector<ChildNodes> ForestNodes::make(int level, std::span<const QuadCorners> quads,
+                                          const std::vector<bool>& wanted) {
+  const Patch patch(quads);
+  const Features features = features_of(patch, level);
+  const Adjacency adjacency(patch.topology, Adjacency::Check::edges);
+  const RefinementStep step(adjacency, features, *scheme_);
+  std::vector<Vec3> coarse;
+  coarse.reserve(patch.nodes.size());
+  for (const VertexId v : patch.nodes)
+    coarse.push_back(value(level, v));
+  std::vector<Vec3> fine(static_cast<std::size_t>(step.num_child_vertices()));
+  step.apply(coarse, std::span<Vec3>(fine));
+
+  const QuadrisectionIds ids = quadrisection_ids(adjacency);
+  std::vector<VertexId> nodes(fine.size());  // of the child vertices; of those wanted only
+  std::vector<ChildNodes> made;
+  const int num_before = size();
+  for (std::size_t q = 0; q < quads.size(); ++q) {
+    if (!wanted[q]) continue;
+    const FaceId face(q);
+    ChildNodes& children = made.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfedgeId h = patch.topology.halfedge(face, static_cast<int>(i));
+      nodes[static_cast<std::size_t>(adjacency.from(h).value)] = quads[q][i];
+      const VertexId end = quads[q][(i + 1) % 4];
+      const bool curve = !adjacency.twin(h).valid() || edge_sharpness(quads[q][i], end) > 0;
+      children.sides[i] = middle_or_new(quads[q][i], end, curve);
+      nodes[static_cast<std::size_t>(ids.of_edge(adjacency.edge(h)).value)] = children.sides[i];
+    }
+    children.centre = VertexId(positions_.size());
+    positions_.push_back(Vec3::Zero());
+    on_curve_.push_back(0);
+    nodes[static_cast<std::size_t>(ids.of_face(face).value)] = children.centre;
+  }
+
+  const bool moves = !scheme_->interpolatory;
+  const bool tags = !features.edges.empty() || !features.vertices.empty();
+  Topology child;
+  Features child_features;
+  if (moves || tags) {
+    child = step.child_topology();
+    child_features = step.child_features();
+  }
+  const IdArray<VertexId, Vec3> limits =
+      moves ? limits_(child, child_features, fine) : IdArray<VertexId, Vec3>();
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    if (!nodes[i].valid()) continue;
+    if (moves) values_.try_emplace(level_key(level + 1, nodes[i]), fine[i]);
+    if (nodes[i].value >= num_before) positions_[nodes[i]] = moves ? limits[VertexId(i)] : fine[i];
+  }
+  if (tags) keep_sharp(child, child_features, level + 1, nodes);
+  return made;
+}
+
+void ForestNodes::keep_sharp(const Topology& child, const Features& features, int level,
+                             std::span<const VertexId> nodes) {
+  const auto node = [&](VertexId v) { return nodes[static_cast<std::size_t>(v.value)]; };
+  for (const SharpEdge& e : features.edges) {
+    const VertexId a = node(child.corner(e.halfedge)),
+                   b = node(child.corner(child.next(e.halfedge)));
+    if (a.valid() && b.valid()) sharp_edges_[edge_key(a, b)] = e.sharpness;
+  }
+  for (const SharpVertex& v : features.vertices)
+    if (node(v.vertex).valid()) corners_[level_key(level, node(v.vertex))] = v;
+}
+
+}  // namespace limes

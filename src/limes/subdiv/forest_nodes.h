@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "limes/core/types.h"
+#include "limes/mesh/adjacency.h"
+#include "limes/subdiv/features.h"
+#include "limes/subdiv/scheme.h"
+
+namespace limes {
+
+using QuadCorners = std::array<VertexId, 4>;
+
+/// The vertices that a quad's split adds: in the middle of its sides, and of itself.
+struct ChildNodes {
+  std::array<VertexId, 4> sides;
+  VertexId centre;
+};
+
+/// Limit positions of the vertices of a mesh: what schemes that move their vertices need for their
+/// placement. Right at vertices whose ring of faces is complete; the others may be anything.
+using LimitsOf =
+    std::function<IdArray<VertexId, Vec3>(const Topology&, const Features&, std::span<const Vec3>)>;
+
+/// The vertices of a forest of quadtrees (forest.h): which there are, where they lie, and what is
+/// sharp. Vertices of the control mesh keep their ids, others are numbered as they are made. A vertex
+/// once made is kept and keeps its place. Knows quads and their levels, not the trees.
+class ForestNodes {
+ public:
+  /// @param control  of quads; needed during construction only
+  /// @param limits   of schemes that are not interpolatory
+  ForestNodes(const Adjacency& control, std::span<const Vec3> points, const Features& features,
+              const Scheme& scheme, LimitsOf limits);
+
+  [[nodiscard]] int size() const { return positions_.size(); }
+  /// On the limit surface.
+  [[nodiscard]] const Vec3& position(VertexId v) const { return positions_[v]; }
+  /// Whether a vertex lies on the boundary or on a sharp edge.
+  [[nodiscard]] bool on_curve(VertexId v) const { return on_curve_[v] != 0; }
+  /// The vertex in the middle of an edge; invalid if none was made.
+  [[nodiscard]] VertexId middle(VertexId a, VertexId b) const;
+  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const;
+  [[nodiscard]] float vertex_sharpness(int level, VertexId v) const;
+
+  /// Makes the vertices that splitting some quads adds, by one step of the scheme on a patch.
+  /// @param patch   quads of one level in the order of uniform refinement: those to be split, and all
+  ///                that share a vertex with them; two rings of the control mesh, and around those
+  ///                with a vertex on a curve, since what lies beyond it depends on its next vertex
+  /// @param wanted  for each quad whether it is to be split
+  /// @return of the wanted quads
+  std::vector<ChildNodes> make(int level, std::span<const QuadCorners> patch,
+                               const std::vector<bool>& wanted);
+
+ private:
+  struct Patch;
+
+  static std::uint64_t edge_key(VertexId a, VertexId b);
+  static std::uint64_t level_key(int level, VertexId v);
+  [[nodiscard]] const Vec3& value(int level, VertexId v) const;
+  [[nodiscard]] Features features_of(const Patch& patch, int level) const;
+  VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);
+  void keep_sharp(const Topology& child, const Features& features, int level,
+                  std::span<const VertexId> nodes);
+
+  const Scheme* scheme_;
+  RuleOptions options_;
+  LimitsOf limits_;
+  IdArray<VertexId, Vec3> positions_;
+  IdArray<VertexId, char> on_curve_;
+  std::vector<Vec3> control_;  // of schemes that are not interpolatory; likewise the next
+  std::unordered_map<std::uint64_t, Vec3> values_;          // by level and vertex, from level 1 on
+  std::unordered_map<std::uint64_t, VertexId> middles_;     // by edge
+  std::unordered_map<std::uint64_t, float> sharp_edges_;    // by edge
+  std::unordered_map<std::uint64_t, SharpVertex> corners_;  // by level and vertex
+};
+
+}  // namespace limes

@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+
+#include "limes/mesh/adjacency.h"
+#include "limes/mesh/measure.h"
+#include "limes/mesh/shapes.h"
+#include "limes/subdiv/forest_mesh.h"
+#include "limes/subdiv/schemes.h"
+#include "subdiv/interpolatory.h"
+
+namespace limes {
+namespace {
+
+const Scheme& kobbelt() {
+  return find_scheme("kobbelt");
+}
+
+FaceId leaf_at(const Forest& forest, const FaceAncestry& place) {
+  for (const FaceId f : forest.leaves())
+    if (forest.ancestry(f) == place) return f;
+  ADD_FAILURE() << "no leaf at root " << place.root.value << " path " << place.path;
+  return {};
+}
+
+bool by_coordinates(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// Every leaf's corners have the bits of uniform refinement.
+void expect_uniform_positions(const Forest& forest, const std::vector<Mesh>& uniform) {
+  for (const FaceId f : forest.leaves()) {
+    const FaceAncestry a = forest.ancestry(f);
+    const Mesh& level = uniform[static_cast<std::size_t>(a.level)];
+    const std::int64_t number = (std::int64_t{a.root.value} << (2 * a.level)) + a.path;
+    const auto corners = level.topology.face(FaceId(number));
+    for (std::size_t i = 0; i < 4; ++i)
+      ASSERT_EQ(forest.nodes().position(forest.corners(f)[i]), level.points[corners[i]])
+          << "level " << a.level << " face " << number << " corner " << i;
+  }
+}
+
+std::vector<Mesh> uniform_levels(const Mesh& control, const Scheme& scheme, int levels) {
+  std::vector<Mesh> all;
+  for (int k = 0; k <= levels; ++k)
+    all.push_back(refine(control, scheme, {.levels = k}));
+  return all;
+}
+
+void expect_balanced(const Forest& forest) {
+  std::map<int, std::pair<int, int>> levels;  // of the leaves at each vertex
+  const std::vector<FaceId> leaves = forest.leaves();
+  for (const FaceId f : leaves)
+    for (const VertexId v : forest.corners(f)) {
+      const int level = forest.ancestry(f).level;
+      const auto [at, is_new] = levels.try_emplace(v.value, level, level);
+      at->second.first = std::min(at->second.first, level);
+      at->second.second = std::max(at->second.second, level);
+    }
+  for (const auto& [v, range] : levels)
+    EXPECT_LE(range.second - range.first, 1) << "vertex " << v;
+}
+
+/// A surface of the same kind as the control mesh: every edge joins two faces or lies on a boundary
+/// that the control mesh has as well.
+void expect_conforming(const Mesh& mesh, const Mesh& control) {
+  EXPECT_NO_THROW(Adjacency(mesh.topology));
+  const MeshMeasure now = measure(mesh), before = measure(control);
+  EXPECT_EQ(now.euler, before.euler);
+  EXPECT_EQ(now.boundary_loops, before.boundary_loops);
+  EXPECT_EQ(now.components, before.components);
+}
+
+/// Positions of the closure's vertices too: each is one of uniform refinement, one level finer.
+void expect_positions_among(const Mesh& mesh, std::vector<Vec3> finest) {
+  std::sort(finest.begin(), finest.end(), by_coordinates);
+  for (const Vec3& x : mesh.points)
+    EXPECT_TRUE(std::binary_search(finest.begin(), finest.end(), x, by_coordinates))
+        << x.transpose();
+}
+
+/// Counts and positions of another program, tests/data/interpolatory/README.md.
+TEST(Forest, AgreesWithAnotherProgramOnANoisyCube) {
+  const nlohmann::json golden = read_interpolatory("adaptive_cube_noisy");
+  const Mesh control = net_of(golden);
+  Forest forest(control, kobbelt(), {});
+  forest.refine(forest.leaves());
+  const std::array<FaceAncestry, 2> marks{{{FaceId(0), 1, 0}, {FaceId(0), 2, 0}}};
+  for (std::size_t step = 0; step < marks.size(); ++step) {
+    SCOPED_TRACE(step);
+    const auto& expected = golden.at("steps")[step];
+    forest.refine(std::array{leaf_at(forest, marks[step])});
+    const Mesh mesh = forest_mesh(forest, Closure::conforming).mesh;
+    EXPECT_EQ(static_cast<int>(forest.leaves().size()), expected.at("leaves").get<int>());
+    EXPECT_EQ(mesh.topology.num_faces(), expected.at("faces").get<int>());
+    EXPECT_EQ(mesh.topology.num_vertices(), expected.at("vertices").get<int>());
+    EXPECT_EQ(mesh.topology.uniform_face_size(), 4);
+
+    std::vector<Vec3> ours = mesh.points.vector(), theirs;
+    for (const auto& x : expected.at("used_positions"))
+      theirs.emplace_back(x[0].get<double>(), x[1].get<double>(), x[2].get<double>());
+    ASSERT_EQ(ours.size(), theirs.size());
+    // Their nearest neighbour, since rounding may change the order of a sort.
+    for (const Vec3& x : ours) {
+      double nearest = 1;
+      for (const Vec3& y : theirs)
+        nearest = std::min(nearest, (x - y).cwiseAbs().maxCoeff());
+      EXPECT_LE(nearest, 1e-13 * size_of(control));
+    }
+  }
+}
+
+struct Model {
+  const char* name;
+  Mesh mesh;
+};
+
+Mesh shaken(Mesh mesh) {
+  std::mt19937 random(7);
+  for (Vec3& x : mesh.points)
+    for (int axis = 0; axis < 3; ++axis)
+      x[axis] += 0.05 * (static_cast<double>(random() % 1000) / 1000.0 - 0.5);
+  return mesh;
+}
+
+Mesh creased_cube() {
+  Mesh mesh = shapes::cube();
+  for (int i = 0; i < 4; ++i) {
+    const auto face = mesh.topology.face(FaceId(0));
+    mesh.tags.creases.push_back({face[static_cast<std::size_t>(i)],
+                                 face[static_cast<std::size_t>((i + 1) % 4)], infinite_sharpness});
+  }
+  return mesh;
+}
+
+std::vector<Model> models() {
+  return {{"cube", shaken(shapes::cube())},
+          {"creased cube", shaken(creased_cube())},
+          {"torus", shaken(shapes::torus(5, 4))},
+          {"grid", shaken(shapes::grid(3, 2))},
+          {"strip", shaken(shapes::grid(4, 1))},
+          {"hole", shaken(shapes::grid_with_hole(3))},
+          {"disk of valence 5", shaken(shapes::disk(5, 2))},
+          {"star of valence 3", shaken(shapes::star(3, 1))},
+          {"half disk", shaken(shapes::half_disk(3, 1))},
+          {"cylinder", shaken(shapes::cylinder(5, 2))}};
+}
+
+std::vector<FaceId> some_leaves(const Forest& forest, std::mt19937& random, unsigned one_in,
+                                int finest) {
+  std::vector<FaceId> chosen;
+  for (const FaceId f : forest.leaves())
+    if (random() % one_in == 0 && forest.ancestry(f).level < finest) chosen.push_back(f);
+  return chosen;
+}
+
+std::vector<FaceId> all_but_some(const Forest& forest, std::mt19937& random, unsigned one_in) {
+  std::vector<FaceId> chosen;
+  for (const FaceId f : forest.leaves())
+    if (one_in == 1 || random() % one_in != 0) chosen.push_back(f);
+  return chosen;
+}
+
+/// Twenty sequences of five steps on each of ten models.
+TEST(Forest, RandomSequencesKeepEveryProperty) {
+  constexpr int finest = 3;
+  for (const Model& model : models()) {
+    SCOPED_TRACE(model.name);
+    const std::vector<Mesh> uniform = uniform_levels(model.mesh, kobbelt(), finest + 1);
+    int split = 0, merged = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE(seed);
+      std::mt19937 random(seed);
+      const SplitUnit unit = seed % 4 == 3 ? SplitUnit::faces : SplitUnit::families;
+      Forest forest(model.mesh, kobbelt(), {}, unit);
+      for (int step = 0; step < 5; ++step) {
+        split += forest.refine(some_leaves(forest, random, 6, finest));
+        const unsigned one_in = step == 2 ? 1 : 8;  // 1: all leaves are marked
+        merged += forest.coarsen(all_but_some(forest, random, one_in));
+        expect_balanced(forest);
+        const Closure closure = unit == SplitUnit::faces ? Closure::triangles : Closure::conforming;
+        const Mesh mesh = forest_mesh(forest, closure).mesh;
+        if (closure == Closure::conforming) {
+          ASSERT_EQ(mesh.topology.uniform_face_size(), 4);
+        }
+        expect_conforming(mesh, model.mesh);
+        expect_uniform_positions(forest, uniform);
+        expect_positions_among(mesh, uniform.back().points.vector());
+        if (HasFailure()) return;
+      }
+    }
+    EXPECT_GT(merged, 0);
+    EXPECT_GT(split, merged);
+  }
+}
+
+TEST(Forest, CoarseningEverythingGivesTheControlMeshBack) {
+  const Mesh control = shapes::torus(5, 4);
+  Forest forest(control, kobbelt(), {});
+  forest.refine(std::array{FaceId(3)});
+  forest.refine(std::array{leaf_at(forest, {FaceId(3), 1, 2})});
+  while (forest.coarsen(forest.leaves()) > 0) {
+  }
+  EXPECT_EQ(forest_mesh(forest, Closure::conforming).mesh.topology, control.topology);
+}
+
+/// Uniform marks make the mesh of uniform refinement, its faces in the same order.
+TEST(Forest, AllLeavesIsUniformRefinement) {
+  const Mesh control = shaken(shapes::disk(5, 2));
+  for (const char* name : {"kobbelt", "linear"}) {
+    const Scheme& scheme = find_scheme(name);
+    Forest forest(control, scheme, {});
+    for (int level = 1; level <= 2; ++level)
+      forest.refine(forest.leaves());
+    expect_uniform_positions(forest, uniform_levels(control, scheme, 2));
+    EXPECT_EQ(static_cast<int>(forest.leaves().size()), 16 * control.topology.num_faces());
+  }
+}
+
+TEST(Forest, HangingVerticesAreMiddles) {
+  Forest forest(shapes::grid(3, 3), find_scheme("linear"), {}, SplitUnit::faces);
+  forest.refine(std::array{FaceId(4)});
+  const ForestMesh made = forest_mesh(forest, Closure::hanging);
+  EXPECT_EQ(made.mesh.topology.num_faces(), 12);
+  ASSERT_EQ(made.hanging.size(), 4U);
+  const auto& x = made.mesh.points;
+  for (const HangingVertex& h : made.hanging)
+    EXPECT_EQ(x[h.vertex], 0.5 * (x[h.ends[0]] + x[h.ends[1]]));
+}
+
+TEST(Forest, NamesWhatItCannotTake) {
+  EXPECT_THROW(Forest(shapes::tetrahedron(), find_scheme("linear"), {}), InputError);
+  EXPECT_THROW(Forest(shapes::icosahedron(), find_scheme("loop"), {}), UsageError);
+}
+
+}  // namespace
+}  // namespace limes
