@@ -251,6 +251,39 @@ TEST(CharacteristicMap, IsTheGridAtRegularVertices) {
   }
 }
 
+// Of the weights at the vertex nothing depends but the block of what is equal in all directions. With
+// quarters it is the regular vertex's for every valence: the sums over spokes do not know their number.
+TEST(ExtraordinaryWeights, QuartersAreTheRegularVertexOnAverage) {
+  const Scheme& scheme = find_scheme("catmull-clark");
+  for (int n = 3; n <= 12; ++n) {
+    SCOPED_TRACE(n);
+    const Spectrum standard = spectrum("catmull-clark", n);
+    const Spectrum s = analyse(scheme, n, {.weights = ExtraordinaryWeights::quarters}).spectrum;
+    const std::vector<double> means = block(s, 0);
+    ASSERT_GE(means.size(), 3U);
+    EXPECT_NEAR(means[0], 1, 1e-12);
+    EXPECT_NEAR(means[1], 1.0 / 4, 1e-12);
+    EXPECT_NEAR(means[2], 1.0 / 8, 1e-12);  // of the ring further out
+    EXPECT_NEAR(s.subdominant, standard.subdominant, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {0, 0, 0}), 4.0 / 9, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {1, 0, 1}), 4.0 / (9 * n), 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {1, 1, 2}), 1.0 / (9 * n), 1e-12);
+  }
+}
+
+// [warren_weimer_2001]: 5/8 - n w is 1/4 from valence 4 on, and the limit takes half of the vertex.
+TEST(ExtraordinaryWeights, WarrensHaveTheEigenvalueOneQuarter) {
+  const Scheme& scheme = find_scheme("loop");
+  for (int n = 3; n <= 12; ++n) {
+    SCOPED_TRACE(n);
+    const Spectrum s = analyse(scheme, n, {.weights = ExtraordinaryWeights::warren}).spectrum;
+    EXPECT_NEAR(s.subdominant, 3.0 / 8 + std::cos(2 * pi / n) / 4, 1e-12);
+    EXPECT_TRUE(s.c1) << s.reason;
+    EXPECT_NEAR(block(s, 0)[1], n == 3 ? 0.125 : 0.25, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {0, 0, 0}), n == 3 ? 0.4 : 0.5, 1e-12);
+  }
+}
+
 TEST(LocalSubdivision, CommutesWithTheRotation) {
   for (const Scheme& scheme : all_schemes()) {
     const LocalSubdivision local(scheme, 6, {}, 16);
