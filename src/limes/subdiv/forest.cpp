@@ -18,9 +18,12 @@ Features checked_features(const Adjacency& control, const Mesh& mesh, const Sche
   if (scheme.split != Split::quads)
     throw UsageError(
         "--scheme: {} does not split quads into four; local refinement takes catmull-clark, "
-        "kobbelt "
-        "or linear",
+        "kobbelt or linear",
         scheme.name);
+  if (scheme.boundary == Boundary::creases && options.boundary == BoundaryRule::none)
+    throw InputError(
+        "boundary rule none drops faces, which local refinement does not do; take rule edges or "
+        "edges-and-corners");
   for (int f = 0; f < mesh.topology.num_faces(); ++f)
     if (mesh.topology.face_size(FaceId(f)) != 4)
       throw InputError(
