@@ -137,8 +137,7 @@ TEST(Adapt, RefusesWhatMeansNoFace) {
                  "means 2 of the vertices but no face");
   expect_failure(run_limes(adapt("pawn.obj", out, "linear", "group:head", "2")), 3,
                  "the mesh has no groups");
-  expect_failure(run_limes(adapt("cube.obj", out, "linear", "sqrt(x) > 0", "2")), 3,
-                 "has no value at");
+  expect_failure(run_limes(adapt("cube.obj", out, "linear", "sqrt(x)", "2")), 3, "has no value at");
   EXPECT_TRUE(folder.list().empty());
 }
 
@@ -173,7 +172,9 @@ TEST(Adapt, RefusesWhatItCannotTake) {
   expect_failure(with({"--boundary", "biermann"}), 2, "--boundary");
   expect_failure(with({"--closure", "none"}), 2, "known are conforming, triangles, hanging");
   expect_failure(with({"--constraints", folder / "c.csv"}), 2, "--constraints");
-  expect_failure(with({"--memory-limit", "1K"}), 3, "");
+  auto large = adapt("torus.obj", out, "kobbelt", "x > 0", "9");
+  large.insert(large.end(), {"--memory-limit", "100M"});
+  expect_failure(run_limes(large), 3, "memory limit");
   EXPECT_TRUE(folder.list().empty());
 }
 
