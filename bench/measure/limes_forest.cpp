@@ -1,6 +1,6 @@
 // A step of local refinement beside building the mesh, by limes.
 //   --in FILE (of quads) --scheme kobbelt --share S (part of the faces that a step splits, in one piece)
-//   --repeats R   each time on a copy of the unrefined forest
+//   --levels N (all faces split before, which counts as building) --repeats R   each time on a new forest
 #include "input.h"
 #include "limes/subdiv/forest.h"
 #include "limes/subdiv/schemes.h"
@@ -17,20 +17,27 @@ void run(const Args& args) {
   const std::int64_t rss_before = peak_rss();
 
   std::vector<double> build, step;
-  std::vector<limes::FaceId> marked;
-  for (int f = 0; f < static_cast<int>(share * mesh.topology.num_faces()); ++f)
-    marked.emplace_back(f);
+  const int levels = args.get("levels", 0);
   int split = 0;
+  std::size_t leaves = 0;
   for (int r = 0; r < repeats; ++r) {
     Timer timer;
     limes::Forest forest(mesh, scheme, {});
+    for (int level = 0; level < levels; ++level)
+      forest.refine(forest.leaves());
     build.push_back(timer.wall());
+    std::vector<limes::FaceId> marked = forest.leaves();
+    leaves = marked.size();
+    marked.resize(static_cast<std::size_t>(share * static_cast<double>(leaves)));
     timer.restart();
     split = forest.refine(marked);
     step.push_back(timer.wall());
   }
   JsonLine line = first_fields(args, "forest");
-  line.add("in_faces", mesh.topology.num_faces()).add("split", split);
+  line.add("in_faces", mesh.topology.num_faces())
+      .add("levels", levels)
+      .add("leaves", leaves)
+      .add("split", split);
   line.add("seconds_build", median(build)).add("seconds_step", median(step));
   line.add("ratio", median(step) / median(build));
   line.add("rss_before", rss_before).add("peak_rss", peak_rss());
