@@ -18,9 +18,12 @@ Features checked_features(const Adjacency& control, const Mesh& mesh, const Sche
   if (scheme.split != Split::quads)
     throw UsageError(
         "--scheme: {} does not split quads into four; local refinement takes catmull-clark, "
-        "kobbelt "
-        "or linear",
+        "kobbelt or linear",
         scheme.name);
+  if (scheme.boundary == Boundary::creases && options.boundary == BoundaryRule::none)
+    throw InputError(
+        "boundary rule none drops faces, which local refinement does not do; take rule edges or "
+        "edges-and-corners");
   for (int f = 0; f < mesh.topology.num_faces(); ++f)
     if (mesh.topology.face_size(FaceId(f)) != 4)
       throw InputError(
@@ -41,6 +44,8 @@ Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& o
              checked_features(root_->adjacency, control, scheme, options), scheme,
              std::move(limits)) {
   const Topology& topology = control.topology;
+  // Room for the first children, so that a small step does not copy the control faces.
+  faces_.reserve(with_room(static_cast<std::size_t>(topology.num_faces())));
   faces_.resize(static_cast<std::size_t>(topology.num_faces()));
   root_offsets_.assign(static_cast<std::size_t>(topology.num_vertices()) + 1, 0);
   for (const VertexId v : topology.corners())
@@ -172,8 +177,12 @@ void Forest::add_neighbours(std::vector<FaceId>& patch) const {
 }
 
 void Forest::sort_unique(std::vector<FaceId>& faces) const {
-  std::sort(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return before(a, b); });
+  // By number first: that needs no look at the faces, and most of them are there several times.
+  std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  const auto in_order = [&](FaceId a, FaceId b) { return before(a, b); };
+  if (!std::is_sorted(faces.begin(), faces.end(), in_order))
+    std::sort(faces.begin(), faces.end(), in_order);
 }
 
 bool Forest::touches_curve(FaceId f) const {

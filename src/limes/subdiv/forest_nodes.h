@@ -27,6 +27,11 @@ struct ChildNodes {
 using LimitsOf =
     std::function<IdArray<VertexId, Vec3>(const Topology&, const Features&, std::span<const Vec3>)>;
 
+/// Capacity for an array of so many elements that will grow a little; unused memory costs nothing.
+[[nodiscard]] constexpr std::size_t with_room(std::size_t size) {
+  return size + size / 2;
+}
+
 /// The vertices of a forest of quadtrees (forest.h): which there are, where they lie, and what is
 /// sharp. Vertices of the control mesh keep their ids, others are numbered as they are made. A vertex
 /// once made is kept and keeps its place. Knows quads and their levels, not the trees.
