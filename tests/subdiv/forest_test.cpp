@@ -165,17 +165,17 @@ std::vector<FaceId> all_but_some(const Forest& forest, std::mt19937& random, uns
 }
 
 /// Twenty sequences of five steps on each of ten models.
-TEST(Forest, RandomSequencesKeepEveryProperty) {
+void expect_properties_kept(const Scheme& scheme) {
   constexpr int finest = 3;
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
-    const std::vector<Mesh> uniform = uniform_levels(model.mesh, kobbelt(), finest + 1);
+    const std::vector<Mesh> uniform = uniform_levels(model.mesh, scheme, finest + 1);
     int split = 0, merged = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(seed);
       std::mt19937 random(seed);
       const SplitUnit unit = seed % 4 == 3 ? SplitUnit::faces : SplitUnit::families;
-      Forest forest(model.mesh, kobbelt(), {}, unit);
+      Forest forest(model.mesh, scheme, {}, unit);
       for (int step = 0; step < 5; ++step) {
         split += forest.refine(some_leaves(forest, random, 6, finest));
         const unsigned one_in = step == 2 ? 1 : 8;  // 1: all leaves are marked
@@ -189,12 +189,20 @@ TEST(Forest, RandomSequencesKeepEveryProperty) {
         expect_conforming(mesh, model.mesh);
         expect_uniform_positions(forest, uniform);
         expect_positions_among(mesh, uniform.back().points.vector());
-        if (HasFailure()) return;
+        if (testing::Test::HasFailure()) return;
       }
     }
     EXPECT_GT(merged, 0);
     EXPECT_GT(split, merged);
   }
+}
+
+TEST(Forest, RandomSequencesKeepEveryProperty) {
+  expect_properties_kept(kobbelt());
+}
+
+TEST(Forest, RandomSequencesOfTheLinearSchemeKeepEveryProperty) {
+  expect_properties_kept(find_scheme("linear"));
 }
 
 TEST(Forest, CoarseningEverythingGivesTheControlMeshBack) {

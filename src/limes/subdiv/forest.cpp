@@ -9,10 +9,6 @@
 namespace limes {
 namespace {
 
-std::uint64_t level_key(int level, VertexId v) {
-  return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint64_t>(v.value);
-}
-
 Features checked_features(const Adjacency& control, const Mesh& mesh, const Scheme& scheme,
                           const RefineOptions& options) {
   if (scheme.split != Split::quads)
@@ -80,7 +76,7 @@ void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
       visit(root_faces_[static_cast<std::size_t>(k)]);
     return;
   }
-  const auto at = faces_at_.find(level_key(level, v));
+  const auto at = faces_at_.find(ForestNodes::level_key(level, v));
   if (at == faces_at_.end()) return;
   for (const FaceId f : at->second)
     visit(f);
@@ -252,7 +248,7 @@ void Forest::make_children(std::vector<FaceId> faces) {
       child.parent = f;
       child.level = level + 1;
       for (const VertexId v : child.corners)
-        faces_at_[level_key(level + 1, v)].push_back(FaceId(faces_.size()));
+        faces_at_[ForestNodes::level_key(level + 1, v)].push_back(FaceId(faces_.size()));
       faces_.push_back(child);
     }
   }

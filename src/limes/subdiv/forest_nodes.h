@@ -42,6 +42,9 @@ class ForestNodes {
   ForestNodes(const Adjacency& control, std::span<const Vec3> points, const Features& features,
               const Scheme& scheme, LimitsOf limits);
 
+  /// Of a vertex as one of a level, for tables.
+  [[nodiscard]] static std::uint64_t level_key(int level, VertexId v);
+
   [[nodiscard]] int size() const { return positions_.size(); }
   /// On the limit surface.
   [[nodiscard]] const Vec3& position(VertexId v) const { return positions_[v]; }
@@ -65,7 +68,6 @@ class ForestNodes {
   struct Patch;
 
   static std::uint64_t edge_key(VertexId a, VertexId b);
-  static std::uint64_t level_key(int level, VertexId v);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
   [[nodiscard]] Features features_of(const Patch& patch, int level) const;
   VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);
