@@ -16,7 +16,7 @@ namespace {
 
 TEST(ProblemKeys, EveryAvailableKeyIsInTheFullExample) {
   std::set<std::string> seen;
-  std::istringstream lines{full() + full_shell() + full_graph()};
+  std::istringstream lines{full() + full_shell() + full_graph() + full_parts()};
   std::string table;
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.substr(0, line.find(" ="));

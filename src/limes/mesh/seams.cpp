@@ -55,9 +55,8 @@ double distance_from_edge(const Mesh& mesh, const Edge& e, const Vec3& x) {
 
 /// Vertices of `from` tied to vertices of `to`. Those that only come close, or lie on an edge of `to`,
 /// are errors: the polygons were meant to be one.
-std::map<VertexId, VertexId> partners(const Mesh& mesh, const FaceGroup& from_part,
-                                      const Rim& from, const FaceGroup& to_part, const Rim& to,
-                                      double tolerance) {
+std::map<VertexId, VertexId> partners(const Mesh& mesh, const FaceGroup& from_part, const Rim& from,
+                                      const FaceGroup& to_part, const Rim& to, double tolerance) {
   constexpr double close = 0.02;  // over the length of the edge
   std::map<VertexId, VertexId> out;
   for (const VertexId v : from.vertices) {
@@ -91,7 +90,8 @@ VertexId middle(const Adjacency& coarse, const Edge& e) {
     h = coarse.ring_next(h);
     if (h == start) break;
   }
-  const HalfedgeId in = coarse.prev(last);  // the ring of a boundary vertex ends with an edge inwards
+  const HalfedgeId in =
+      coarse.prev(last);  // the ring of a boundary vertex ends with an edge inwards
   LIMES_ASSERT(coarse.from(in) == e[1]);
   return VertexId(coarse.topology().num_vertices() + coarse.edge(in).value);
 }

@@ -28,12 +28,13 @@ struct MeshSettings {
 struct GeometrySettings {
   enum class Kind { cylinder, sphere, plane, graph, formula };
   Kind kind = Kind::cylinder;
-  std::optional<std::string> part;  ///< whose surface it is; nothing: of all parts without their own
-  Vec3 point = Vec3::Zero();        ///< of the axis or plane, or the centre
-  Vec3 axis = Vec3::UnitZ();        ///< of a cylinder, normal of a plane; of any length > 0
-  double radius = 1;                ///< > 0
-  Expression height;                ///< z of a graph
-  Expression zero;                  ///< of a formula: zero on the surface
+  std::optional<std::string>
+      part;                   ///< whose surface it is; nothing: of all parts without their own
+  Vec3 point = Vec3::Zero();  ///< of the axis or plane, or the centre
+  Vec3 axis = Vec3::UnitZ();  ///< of a cylinder, normal of a plane; of any length > 0
+  double radius = 1;          ///< > 0
+  Expression height;          ///< z of a graph
+  Expression zero;            ///< of a formula: zero on the surface
   int line = 0;
 };
 
@@ -117,7 +118,7 @@ struct Problem {
   std::string title;
   UnitSettings units;
   MeshSettings mesh;
-  std::optional<GeometrySettings> geometry;          ///< of all parts that have none of their own
+  std::optional<GeometrySettings> geometry;         ///< of all parts that have none of their own
   std::vector<GeometrySettings> geometry_of_parts;  ///< each names its part, no two the same
   std::vector<CurveSettings> curves;
   std::vector<SeamSettings> seams;
