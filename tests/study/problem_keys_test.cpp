@@ -117,7 +117,7 @@ TEST(ProblemKeys, WhatComesLaterSaysSo) {
     const auto lines = std::count(text.begin(), text.end(), '\n');
     expect_message(message_of<InputError>(text),
                    fmt::format("p.toml:{}: {} is not available yet", lines, written(table)),
-                   {"available are title, units, mesh, geometry, model, material"});
+                   {"available are title, units, mesh, geometry, curve, seam, model, material"});
   }
   for (const Key& key : problem_keys()) {
     const std::string table(key.table), name(key.name);
