@@ -133,6 +133,67 @@ TEST(ShellSeam, TwoPartsAreAsOnePieceWithAKink) {
   EXPECT_LT((a.reactions[0].resultant.moment - b.reactions[0].resultant.moment).norm(), 1e-8);
 }
 
+/// A floor in two halves, clamped at x = -1 and 1, and a wall on the line where they meet: a T-junction.
+Mesh tee(int n) {
+  std::vector<Vec3> x;
+  std::vector<int> quads;
+  Mesh mesh;
+  for (const Vec3& along : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    const int first = static_cast<int>(x.size());
+    for (int j = 0; j <= 1; ++j)
+      for (int i = 0; i <= n; ++i)
+        x.emplace_back(double(i) / n * along + Vec3(0, 0.1 * j, 0));
+    FaceGroup& part = mesh.parts.emplace_back();
+    part.name = mesh.parts.size() == 1 ? "left" : mesh.parts.size() == 2 ? "right" : "wall";
+    for (int i = 0; i < n; ++i) {
+      part.faces.emplace_back(static_cast<int>(quads.size() / 4));
+      const int a = first + i;
+      quads.insert(quads.end(), {a, a + 1, a + n + 2, a + n + 1});
+    }
+  }
+  std::vector<FaceGroup> parts = std::move(mesh.parts);
+  mesh = testing::make_mesh(std::move(x), std::move(quads));
+  mesh.parts = std::move(parts);
+  return mesh;
+}
+
+// Bending of beams of length 1, per width, EI = 1 (nu = 0, thin), and with shared rotation at the joint: a
+// force H on the end of the wall moves it by H/3 + H/8 (the floor resists with 4 EI on each side), and
+// a force P along the wall sinks the joint by P/24.
+TEST(ShellSeam, TJunctionSharesRotation) {
+  const std::string text = R"([mesh]
+file = "m.obj"
+scheme = "linear"
+[model]
+kind = "mitc4"
+[material]
+young = 12e6
+poisson = 0
+thickness = 0.01
+[[support]]
+where = "abs(x) == 1"
+kind = "clamped"
+[[seam]]
+parts = ["left", "right", "wall"]
+[[load]]
+where = "z == 1"
+force_per_length = [1, 0, 2]
+[[probe]]
+name = "end"
+at = [0, 0.05, 1]
+[[probe]]
+name = "joint"
+at = [0, 0.05, 0]
+)";
+  const ShellModel model = build_shell_model(parse_problem(text, "p.toml"), tee(32));
+  const ShellSolution solution = solve_shell(model);
+  EXPECT_EQ(solution.num_kink_nodes, 2);
+  const std::vector<ShellProbe> probes = probe(model, solution);
+  EXPECT_NEAR(probes[0].displacement.x(), 1.0 / 3 + 1.0 / 8, 1e-3);
+  EXPECT_NEAR(probes[1].rotation.y(), 1.0 / 8, 1e-3);
+  EXPECT_NEAR(probes[1].displacement.z(), 2.0 / 24, 1e-3);
+}
+
 std::string message_of(const std::string& text, const Mesh& mesh) {
   try {
     (void)build_shell_model(parse_problem(text, "p.toml"), mesh);
