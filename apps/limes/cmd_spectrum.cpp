@@ -21,7 +21,7 @@ namespace limes::app {
 namespace {
 
 struct SpectrumCommand {
-  std::string scheme, valences, tension;
+  std::string scheme, valences, tension, weights;
   std::filesystem::path picture;
   RunOptions run;
 
@@ -120,13 +120,14 @@ nlohmann::ordered_json to_json(const Spectrum& s) {
 void SpectrumCommand::operator()() const {
   const Run current(run);
   const Scheme& chosen = find_scheme(scheme);
-  const double w = parse_any_tension(chosen, tension);
+  const RuleOptions options{.weights = parse_weights(chosen, weights),
+                            .tension = parse_any_tension(chosen, tension)};
   const auto [first, last] = parse_range(valences);
   const std::vector<int> possible = possible_valences(chosen, first, last);
   if (!picture.empty()) check_output(picture, run, {".svg", ".png"});
   std::vector<Analysis> results;
   for (const int valence : possible)
-    results.push_back(analyse(chosen, valence, w));
+    results.push_back(analyse(chosen, valence, options));
 
   if (!picture.empty()) write_drawing(picture, characteristic_picture(chosen, results));
   if (run.json) {
@@ -154,6 +155,7 @@ void add_spectrum(CLI::App& program) {
   app.add_option("--tension", command->tension, "Of schemes that have one; any value [1]")
       ->option_text("W")
       ->group(scheme_group);
+  add_weights_option(app, command->weights);
   app.add_option(
          "--valence", command->valences,
          "Number of edges at the vertex, as 5 or 3..12; of dual schemes (doo-sabin): corners of "

@@ -10,6 +10,7 @@ namespace limes::app {
 #define LIMES_COMMANDS(X) \
   X(info)                 \
   X(refine)               \
+  X(adapt)                \
   X(coarsen)              \
   X(limit)                \
   X(evaluate)             \

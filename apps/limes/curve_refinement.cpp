@@ -24,6 +24,7 @@ CurveScheme choose_curve_scheme(const SchemeOptions& typed) {
   refuse(typed.corners, "--corners");
   refuse(typed.tags, "--tags");
   refuse(typed.split, "--split");
+  refuse(typed.weights, "--weights");
   refuse(typed.ring_pull, "--ring-pull");
   if (typed.scheme != "four-point") refuse(typed.tension, "--tension");
   if (typed.tension.empty()) return find_curve_scheme(typed.scheme);

@@ -76,9 +76,20 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
                   "  normal             all edges, on a regular 4-8 mesh: two steps a level")
       ->option_text("RULE")
       ->group(scheme_group);
+  add_weights_option(command, options.weights);
   add_tension_options(command, options);
   // Hidden as long as no scheme has it; known, so that the message can say so.
   command.add_option("--ring-pull", options.ring_pull)->group("");
+}
+
+void add_weights_option(CLI::App& command, std::string& weights) {
+  command
+      .add_option("--weights", weights,
+                  "at smooth extraordinary vertices, refined but not evaluated [standard]\n"
+                  "  quarters           catmull-clark: 1/4, 1/2, 1/4 at every valence\n"
+                  "  warren             loop: 3/(8n), and 3/16 at valence 3")
+      ->option_text("NAME")
+      ->group(scheme_group);
 }
 
 void add_tension_options(CLI::App& command, SchemeOptions& options) {
@@ -108,7 +119,7 @@ bool has_boundary_rules(const Scheme& scheme) {
 }  // namespace
 
 std::vector<std::string> options_of(const Scheme& scheme) {
-  if (has_boundary_rules(scheme)) return {"--boundary"};
+  if (has_boundary_rules(scheme)) return {"--boundary", "--weights"};
   if (scheme.boundary == Boundary::quasi) return {"--boundary", "--tags", "--split"};
   if (has_tension(scheme)) return {"--tension", "--corners"};
   return {};
@@ -132,6 +143,7 @@ RefineOptions SchemeChoice::options_for(const Mesh& mesh, int levels) const {
   options.quasi = quasi;
   options.corners = corners;
   options.tension = tension;
+  options.weights = weights;
   return options;
 }
 
@@ -200,6 +212,7 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
   refuse_option(scheme, options.boundary, "--boundary");
   refuse_option(scheme, options.tags, "--tags");
   refuse_option(scheme, options.split, "--split");
+  choice.weights = parse_weights(scheme, options.weights);
   refuse_option(scheme, options.tension, "--tension");
   refuse_option(scheme, options.corners, "--corners");
   refuse_option(scheme, options.ring_pull, "--ring-pull");
@@ -219,6 +232,19 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
 void require_limit(const SchemeChoice& choice) {
   if (choice.sector_stencils)
     throw UsageError("--boundary: limits with rule biermann are not evaluated, only refined");
+  if (choice.weights != ExtraordinaryWeights::standard)
+    throw UsageError("--weights: limits are evaluated with standard ones only");
+}
+
+ExtraordinaryWeights parse_weights(const Scheme& scheme, const std::string& text) {
+  using enum ExtraordinaryWeights;
+  if (text.empty()) return standard;
+  refuse_option(scheme, text, "--weights");
+  if (scheme.name == "loop")
+    return parse_name<ExtraordinaryWeights>("--weights", text,
+                                            {{"standard", standard}, {"warren", warren}});
+  return parse_name<ExtraordinaryWeights>("--weights", text,
+                                          {{"standard", standard}, {"quarters", quarters}});
 }
 
 double parse_tension(const std::string& text) {

@@ -44,7 +44,7 @@ struct SchemeOptions {
   std::string scheme;
   std::string boundary;
   std::string tension, corners, ring_pull;
-  std::string tags, split;
+  std::string tags, split, weights;
 };
 void add_scheme_options(CLI::App& command, SchemeOptions& options);
 
@@ -59,6 +59,7 @@ struct SchemeChoice {
   QuasiOptions quasi = {};               ///< of quasi-four-eight
   CornerRule corners = CornerRule::by_angle;
   double tension = 1.0;
+  ExtraordinaryWeights weights = ExtraordinaryWeights::standard;  ///< for refinement only
 
   /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
   [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;
@@ -76,6 +77,11 @@ void require_limit(const SchemeChoice& choice);
 [[nodiscard]] std::vector<std::string> options_of(const Scheme& scheme);
 /// Whether the scheme has a tension and corner rules.
 [[nodiscard]] bool has_tension(const Scheme& scheme);
+
+void add_weights_option(CLI::App& command, std::string& weights);
+/// Empty: standard.
+/// @throws UsageError also for a scheme without a choice
+[[nodiscard]] ExtraordinaryWeights parse_weights(const Scheme& scheme, const std::string& text);
 
 /// 0 to 2 (sqrt 5 - 1): up to omega = (sqrt 5 - 1) / 8 the four-point curves are smooth, [dyn_1987].
 /// @throws UsageError

@@ -165,9 +165,9 @@ std::string to_text(const SchemeDescription& d, const Rule& rule) {
 SchemeDescription describe(const Scheme& scheme, double tension, std::optional<int> valence) {
   if (valence) require_valence(scheme, *valence);
   SchemeDescription d{&scheme, tension, {}, {}, notes_of(scheme)};
-  d.analyses.push_back(analyse(scheme, regular_valence(scheme), tension));
+  d.analyses.push_back(analyse(scheme, regular_valence(scheme), {.tension = tension}));
   if (valence && *valence != regular_valence(scheme))
-    d.analyses.push_back(analyse(scheme, *valence, tension));
+    d.analyses.push_back(analyse(scheme, *valence, {.tension = tension}));
   d.rules = scheme_rules(scheme, tension,
                          d.analyses.size() > 1 ? d.analyses.back().local.get() : nullptr);
   return d;

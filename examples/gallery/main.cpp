@@ -1,6 +1,7 @@
-// The pictures of docs/gallery.md: every scheme on the same models, and figures of the papers.
+// The pictures of docs/gallery.md: every scheme on the same models, and figures of the papers; and that
+// of docs/theory/local-refinement.md.
 //
-//   gallery data/gallery FOLDER            writes FOLDER/gallery-*.png
+//   gallery data/gallery FOLDER            writes FOLDER/*.png
 //   gallery --small data/gallery FOLDER    few faces and pixels, for tests
 
 #include <filesystem>
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
     write_all(gallery::scheme_pictures(settings), settings, folder);
     write_all(gallery::velho_pictures(settings), settings, folder);
     write_all(gallery::kobbelt_pictures(settings), settings, folder);
+    write_all(gallery::adaptive_pictures(settings), settings, folder);
   } catch (const std::exception& error) {
     std::cerr << "gallery: " << error.what() << '\n';
     return 1;

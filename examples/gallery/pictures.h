@@ -29,5 +29,7 @@ struct Picture {
 [[nodiscard]] std::vector<Picture> velho_pictures(const Settings& settings);
 /// Figures 5 and 14 of [kobbelt_1996].
 [[nodiscard]] std::vector<Picture> kobbelt_pictures(const Settings& settings);
+/// Local refinement with its closures.
+[[nodiscard]] std::vector<Picture> adaptive_pictures(const Settings& settings);
 
 }  // namespace gallery

@@ -56,6 +56,9 @@ TEST(SpectrumCommand, RefusesWrongUsage) {
   for (const char* valence : {"2", "x", "5..3", "3..", "..4", "1..900", "-3", ""})
     expect_failure(run("loop", valence), 2, "--valence");
   expect_failure(run("loop", "3", {"--tension", "1"}), 2, "--tension: loop has no such option");
+  expect_failure(run("loop", "3", {"--weights", "quarters"}), 2, "known are standard, warren");
+  expect_failure(run("sqrt3", "3", {"--weights", "warren"}), 2,
+                 "--weights: sqrt3 has no such option");
   expect_failure(run("loop", "3", {"-o", "maps.pdf"}), 2, "--output");
   expect_failure(run("loop", "3", {"-o", "/nonexistent/maps.svg"}), 5, "/nonexistent");
 }
@@ -126,7 +129,8 @@ TEST(RefineCommand, TellsMeshesFromCurves) {
   const std::string polygon = data_file("polygon.obj"), cube = data_file("cube.obj");
   expect_failure(run(polygon, "loop"), 3, "polylines and no faces");
   expect_failure(run(cube, "chaikin"), 3, "no polylines");
-  for (const char* option : {"--boundary", "--corners", "--tags", "--split", "--tension"})
+  for (const char* option :
+       {"--boundary", "--corners", "--tags", "--split", "--weights", "--tension"})
     expect_failure(run(polygon, "chaikin", {option, "1"}), 2,
                    std::string(option) + ": chaikin has no such option");
   expect_failure(run(polygon, "lane-riesenfeld:0"), 2, "lane-riesenfeld");

@@ -54,6 +54,10 @@ TEST(Usage, ChecksEveryValue) {
     expect_failure(refine("linear", "1", {"--memory-limit", size}), 2, "--memory-limit");
   expect_failure(refine("catmull-clark", "1", {"--boundary", "smooth"}), 2,
                  "known are none, edges, edges-and-corners");
+  expect_failure(refine("catmull-clark", "1", {"--weights", "warren"}), 2,
+                 "known are standard, quarters");
+  expect_failure(refine("catmull-clark", "1", {"--weights", "quarters", "--limit"}), 2,
+                 "--weights: limits are evaluated with standard ones only");
 }
 
 TEST(Usage, AnEmptyValueIsNoValue) {

@@ -18,7 +18,7 @@ Json read(const char* name) {
 }
 
 Spectrum kobbelt(int valence, double tension) {
-  return analyse(find_scheme("kobbelt"), valence, tension).spectrum;
+  return analyse(find_scheme("kobbelt"), valence, {.tension = tension}).spectrum;
 }
 
 // Eigenvalues of an independent program, with defects: 1e-6.

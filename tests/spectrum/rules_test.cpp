@@ -19,7 +19,7 @@ using Kind = ChildVertex::Kind;
 SchemeRules rules_of(std::string_view name, int valence = 0, double tension = 1.0) {
   const Scheme& scheme = find_scheme(name);
   if (valence == 0) return scheme_rules(scheme, tension, nullptr);
-  const LocalSubdivision local(scheme, valence, tension, 16);
+  const LocalSubdivision local(scheme, valence, {.tension = tension}, 16);
   return scheme_rules(scheme, tension, &local);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Spectrum spectrum(std::string_view scheme, int valence, double tension = 1.0) {
-  return analyse(find_scheme(scheme), valence, tension).spectrum;
+  return analyse(find_scheme(scheme), valence, {.tension = tension}).spectrum;
 }
 
 /// Real eigenvalues of one block, largest first.
@@ -251,9 +251,42 @@ TEST(CharacteristicMap, IsTheGridAtRegularVertices) {
   }
 }
 
+// Of the weights at the vertex nothing depends but the block of what is equal in all directions. With
+// quarters it is the regular vertex's for every valence: the sums over spokes do not know their number.
+TEST(ExtraordinaryWeights, QuartersAreTheRegularVertexOnAverage) {
+  const Scheme& scheme = find_scheme("catmull-clark");
+  for (int n = 3; n <= 12; ++n) {
+    SCOPED_TRACE(n);
+    const Spectrum standard = spectrum("catmull-clark", n);
+    const Spectrum s = analyse(scheme, n, {.weights = ExtraordinaryWeights::quarters}).spectrum;
+    const std::vector<double> means = block(s, 0);
+    ASSERT_GE(means.size(), 3U);
+    EXPECT_NEAR(means[0], 1, 1e-12);
+    EXPECT_NEAR(means[1], 1.0 / 4, 1e-12);
+    EXPECT_NEAR(means[2], 1.0 / 8, 1e-12);  // of the ring further out
+    EXPECT_NEAR(s.subdominant, standard.subdominant, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {0, 0, 0}), 4.0 / 9, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {1, 0, 1}), 4.0 / (9 * n), 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {1, 1, 2}), 1.0 / (9 * n), 1e-12);
+  }
+}
+
+// [warren_weimer_2001]: 5/8 - n w is 1/4 from valence 4 on, and the limit takes half of the vertex.
+TEST(ExtraordinaryWeights, WarrensHaveTheEigenvalueOneQuarter) {
+  const Scheme& scheme = find_scheme("loop");
+  for (int n = 3; n <= 12; ++n) {
+    SCOPED_TRACE(n);
+    const Spectrum s = analyse(scheme, n, {.weights = ExtraordinaryWeights::warren}).spectrum;
+    EXPECT_NEAR(s.subdominant, 3.0 / 8 + std::cos(2 * pi / n) / 4, 1e-12);
+    EXPECT_TRUE(s.c1) << s.reason;
+    EXPECT_NEAR(block(s, 0)[1], n == 3 ? 0.125 : 0.25, 1e-12);
+    EXPECT_NEAR(weight(s, *s.limit_mask, {0, 0, 0}), n == 3 ? 0.4 : 0.5, 1e-12);
+  }
+}
+
 TEST(LocalSubdivision, CommutesWithTheRotation) {
   for (const Scheme& scheme : all_schemes()) {
-    const LocalSubdivision local(scheme, 6, 1.0, 16);
+    const LocalSubdivision local(scheme, 6, {}, 16);
     const int n = local.num_sectors();
     const Eigen::Index size = local.num_invariant_places();
     MatrixX A = MatrixX(local.matrix()).topLeftCorner(size, size);

@@ -73,6 +73,12 @@ inline void expect_message(const std::string& message, std::string_view beginnin
     EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks " << part;
 }
 
+/// A shell of two parts with the keys that only those have.
+inline const std::string& full_parts() {
+  static const std::string text = whole_file("full_parts.toml");
+  return text;
+}
+
 /// A small valid problem as lines of tables, to change one of them.
 class Draft {
  public:
@@ -107,8 +113,22 @@ class Draft {
       set(table, "force", "[0, 0]");
     if (table == "geometry") {
       set("model", "kind", "\"mitc4\"");
-      set(table, "kind", key == "height" ? "\"graph\"" : "\"cylinder\"");
-      set(table, key == "height" ? key : "radius", "1");
+      const bool formula = key == "height" || key == "zero";
+      set(table, "kind",
+          key == "height" ? "\"graph\""
+          : key == "zero" ? "\"formula\""
+                          : "\"cylinder\"");
+      set(table, formula ? key : "radius", "1");
+    }
+    if (table == "curve") {
+      complete("geometry", "radius");
+      set("mesh", "placement", "\"exact\"");
+      set(table, "where", "\"boundary\"");
+      set(table, "zero", "\"x\"");
+    }
+    if (table == "seam") {
+      set("model", "kind", "\"mitc4\"");
+      set(table, "parts", "[\"a\", \"b\"]");
     }
     if (key == "shear_factor" || key == "kink_angle") set("model", "kind", "\"mitc4\"");
     if (table == "support" && (key == "kind" || key == "rotation")) {

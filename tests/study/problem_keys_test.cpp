@@ -16,7 +16,7 @@ namespace {
 
 TEST(ProblemKeys, EveryAvailableKeyIsInTheFullExample) {
   std::set<std::string> seen;
-  std::istringstream lines{full() + full_shell() + full_graph()};
+  std::istringstream lines{full() + full_shell() + full_graph() + full_parts()};
   std::string table;
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.substr(0, line.find(" ="));
@@ -117,7 +117,7 @@ TEST(ProblemKeys, WhatComesLaterSaysSo) {
     const auto lines = std::count(text.begin(), text.end(), '\n');
     expect_message(message_of<InputError>(text),
                    fmt::format("p.toml:{}: {} is not available yet", lines, written(table)),
-                   {"available are title, units, mesh, geometry, model, material"});
+                   {"available are title, units, mesh, geometry, curve, seam, model, material"});
   }
   for (const Key& key : problem_keys()) {
     const std::string table(key.table), name(key.name);

@@ -101,7 +101,6 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
       {"title.a\nb=1", "--set title.a?b: ", {"there is no list whose entry 'a?b' could be set"}},
       {"material.0.where.0=1", "--set material.0.where.0: ", {"the file has no 'where'"}},
       {"load.0=1", "--set load.0: ", {"[[load]] is a table; name one of its keys"}},
-      {"seam.0.parts=[1, 2]", "--set seam.0.parts: ", {"[[seam]] is not available yet"}},
       {"probe.0.at.2=1",
        "--set probe.0.at.2: ",
        {"no entry 2 of the list; they count from 0 to 1"}},

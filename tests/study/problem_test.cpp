@@ -99,6 +99,14 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.geometry->axis, Vec3(0, 1, 0));
   EXPECT_EQ(p.geometry->radius, 10);
   EXPECT_EQ(parse(full_graph()).geometry->height(Vec3(2, 3, 0)), 6);
+  const Problem parts = parse(full_parts());
+  ASSERT_EQ(parts.geometry_of_parts.size(), 1U);
+  EXPECT_EQ(parts.geometry_of_parts[0].part, "floor");
+  EXPECT_EQ(parts.geometry->zero(Vec3(2, 3, 5)), 12);
+  ASSERT_EQ(parts.curves.size(), 1U);
+  EXPECT_EQ(parts.curves[0].surface.zero(Vec3(2, 3, 5)), 4);
+  ASSERT_EQ(parts.seams.size(), 1U);
+  EXPECT_EQ(parts.seams[0].parts, (std::vector<std::string>{"floor", "wall"}));
   EXPECT_EQ(p.model.kind, ModelKind::mitc4);
   EXPECT_EQ(p.model.shear_factor, 1);
   EXPECT_EQ(p.model.kink_angle, 45);

@@ -165,17 +165,17 @@ std::vector<FaceId> all_but_some(const Forest& forest, std::mt19937& random, uns
 }
 
 /// Twenty sequences of five steps on each of ten models.
-TEST(Forest, RandomSequencesKeepEveryProperty) {
+void expect_properties_kept(const Scheme& scheme) {
   constexpr int finest = 3;
   for (const Model& model : models()) {
     SCOPED_TRACE(model.name);
-    const std::vector<Mesh> uniform = uniform_levels(model.mesh, kobbelt(), finest + 1);
+    const std::vector<Mesh> uniform = uniform_levels(model.mesh, scheme, finest + 1);
     int split = 0, merged = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(seed);
       std::mt19937 random(seed);
       const SplitUnit unit = seed % 4 == 3 ? SplitUnit::faces : SplitUnit::families;
-      Forest forest(model.mesh, kobbelt(), {}, unit);
+      Forest forest(model.mesh, scheme, {}, unit);
       for (int step = 0; step < 5; ++step) {
         split += forest.refine(some_leaves(forest, random, 6, finest));
         const unsigned one_in = step == 2 ? 1 : 8;  // 1: all leaves are marked
@@ -189,12 +189,20 @@ TEST(Forest, RandomSequencesKeepEveryProperty) {
         expect_conforming(mesh, model.mesh);
         expect_uniform_positions(forest, uniform);
         expect_positions_among(mesh, uniform.back().points.vector());
-        if (HasFailure()) return;
+        if (testing::Test::HasFailure()) return;
       }
     }
     EXPECT_GT(merged, 0);
     EXPECT_GT(split, merged);
   }
+}
+
+TEST(Forest, RandomSequencesKeepEveryProperty) {
+  expect_properties_kept(kobbelt());
+}
+
+TEST(Forest, RandomSequencesOfTheLinearSchemeKeepEveryProperty) {
+  expect_properties_kept(find_scheme("linear"));
 }
 
 TEST(Forest, CoarseningEverythingGivesTheControlMeshBack) {
@@ -231,7 +239,44 @@ TEST(Forest, HangingVerticesAreMiddles) {
     EXPECT_EQ(x[h.vertex], 0.5 * (x[h.ends[0]] + x[h.ends[1]]));
 }
 
+/// Groups and holes are the faces below theirs, whatever closes the mesh; a crease stays whole.
+TEST(Forest, HandsDownNamesThroughEveryClosure) {
+  Mesh control = shapes::grid(3, 3);
+  control.groups.push_back({"middle", {FaceId(4)}});
+  control.tags.holes = {FaceId(5)};
+  const auto middle = control.topology.face(FaceId(4));
+  control.tags.creases.push_back({middle[0], middle[1], infinite_sharpness});
+  const double length = (control.points[middle[0]] - control.points[middle[1]]).norm();
+  for (const Closure closure : {Closure::conforming, Closure::triangles, Closure::hanging}) {
+    const SplitUnit unit = closure == Closure::conforming ? SplitUnit::families : SplitUnit::faces;
+    Forest forest(control, find_scheme("linear"), {}, unit);
+    forest.refine(std::array{FaceId(4)});
+    forest.refine(std::array{leaf_at(forest, {FaceId(4), 1, 0})});
+    const Mesh mesh = forest_mesh(forest, closure).mesh;
+    ASSERT_EQ(mesh.face_fields.size(), 3U);
+    std::vector<FaceId> in_middle, in_hole;
+    for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+      const std::int64_t root = mesh.face_fields[0].values[static_cast<std::size_t>(f)];
+      if (root == 4) in_middle.emplace_back(f);
+      if (root == 5) in_hole.emplace_back(f);
+    }
+    ASSERT_EQ(mesh.groups.size(), 1U);
+    EXPECT_EQ(mesh.groups[0].faces, in_middle);
+    EXPECT_EQ(mesh.tags.holes, in_hole);
+    EXPECT_GT(in_middle.size(), 4U);
+    double sharp = 0;
+    for (const CreaseTag& crease : mesh.tags.creases)
+      sharp += (mesh.points[crease.a] - mesh.points[crease.b]).norm();
+    if (closure != Closure::hanging) {
+      EXPECT_NEAR(sharp, length, 1e-14);
+    }
+  }
+}
+
 TEST(Forest, NamesWhatItCannotTake) {
+  EXPECT_THROW(
+      Forest(shapes::grid(2, 2), find_scheme("catmull-clark"), {.boundary = BoundaryRule::none}),
+      InputError);
   EXPECT_THROW(Forest(shapes::tetrahedron(), find_scheme("linear"), {}), InputError);
   EXPECT_THROW(Forest(shapes::icosahedron(), find_scheme("loop"), {}), UsageError);
 }

@@ -63,9 +63,11 @@ std::vector<Vec3> positions(UniformRefinement& refinement, std::span<const Vec3>
   return fine;
 }
 
-void expect_same_as_step_by_step(const Mesh& mesh, BoundaryRule boundary, const Scheme& scheme) {
+void expect_same_as_step_by_step(const Mesh& mesh, BoundaryRule boundary, const Scheme& scheme,
+                                 ExtraordinaryWeights weights = ExtraordinaryWeights::standard) {
   const Adjacency adjacency(mesh.topology);
-  const Features features = resolve_tags(adjacency, mesh.tags, boundary);
+  Features features = resolve_tags(adjacency, mesh.tags, boundary);
+  features.weights = weights;
   for (int levels = 1; levels <= levels_for(mesh.topology); ++levels) {
     SCOPED_TRACE(levels);
     const Refined expected = refined_step_by_step(mesh, features, scheme, levels);
@@ -191,6 +193,15 @@ TEST(UniformRefinement, TrianglesHaveTheBitsOfSingleStepsWithAnySharpness) {
       mesh.tags.crease_method = CreaseMethod::chaikin;
       expect_same_as_step_by_step(mesh, BoundaryRule::edges, scheme);
     }
+  }
+}
+
+TEST(UniformRefinement, HasTheBitsOfSingleStepsWithOtherWeights) {
+  for (const Mesh& shape : {shapes::cube(), shapes::disk(5, 2), shapes::half_disk(3, 2)}) {
+    expect_same_as_step_by_step(bumpy(shape), BoundaryRule::edges, find_scheme("catmull-clark"),
+                                ExtraordinaryWeights::quarters);
+    expect_same_as_step_by_step(triangulated(bumpy(shape)), BoundaryRule::edges,
+                                find_scheme("loop"), ExtraordinaryWeights::warren);
   }
 }
 

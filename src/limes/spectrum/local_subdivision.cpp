@@ -45,8 +45,9 @@ SparseMatrix at_places(const SparseMatrix& S, const std::vector<VertexId>& verti
 
 }  // namespace
 
-LocalSubdivision::LocalSubdivision(const Scheme& scheme, int valence, double tension, int rings)
-    : star_(control_star(scheme, valence, rings + rim, tension)),
+LocalSubdivision::LocalSubdivision(const Scheme& scheme, int valence, const RuleOptions& options,
+                                   int rings)
+    : star_(control_star(scheme, valence, rings + rim, options)),
       walk_(star_),
       num_steps_(steps_per_period(scheme)) {
   sort_places(rings);

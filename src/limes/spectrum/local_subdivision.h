@@ -21,7 +21,7 @@ class LocalSubdivision {
  public:
   /// @param rings  of the star; the matrix covers them all
   /// @throws UsageError as control_star()
-  LocalSubdivision(const Scheme& scheme, int valence, double tension, int rings);
+  LocalSubdivision(const Scheme& scheme, int valence, const RuleOptions& options, int rings);
   LocalSubdivision(const LocalSubdivision&) = delete;
   LocalSubdivision& operator=(const LocalSubdivision&) = delete;
 

@@ -62,9 +62,9 @@ Eigen::MatrixX2d tangent_masks(const LocalSubdivision& local, double eigenvalue)
 
 }  // namespace
 
-Analysis analyse(const Scheme& scheme, int valence, double tension) {
+Analysis analyse(const Scheme& scheme, int valence, const RuleOptions& options) {
   Analysis result{
-      std::make_unique<const LocalSubdivision>(scheme, valence, tension, num_rings(scheme)), {}};
+      std::make_unique<const LocalSubdivision>(scheme, valence, options, num_rings(scheme)), {}};
   const LocalSubdivision& local = *result.local;
   Spectrum& s = result.spectrum;
   s.valence = valence;

@@ -36,8 +36,8 @@ struct Analysis {
   std::unique_ptr<const LocalSubdivision> local;
   Spectrum spectrum;
 };
-/// @param tension  of schemes that have one
+/// @param options  tension and weights, of schemes that have them
 /// @throws UsageError for a valence that the scheme does not have
-[[nodiscard]] Analysis analyse(const Scheme& scheme, int valence, double tension = 1.0);
+[[nodiscard]] Analysis analyse(const Scheme& scheme, int valence, const RuleOptions& options = {});
 
 }  // namespace limes

@@ -119,10 +119,12 @@ Star untensed_star(const Scheme& scheme, int valence, int rings) {
 
 }  // namespace
 
-Star control_star(const Scheme& scheme, int valence, int rings, double tension) {
+Star control_star(const Scheme& scheme, int valence, int rings, const RuleOptions& options) {
   LIMES_ASSERT(has_valence(scheme, valence));
   Star star = untensed_star(scheme, valence, rings);
-  star.options.tension = tension;
+  const int level = star.options.level;
+  star.options = options;
+  star.options.level = level;
   return star;
 }
 

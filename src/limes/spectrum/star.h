@@ -14,7 +14,7 @@ namespace limes {
 struct Star {
   Topology topology;
   std::vector<Vec3> points;  ///< per vertex, z = 0
-  RuleOptions options;       ///< tension and level
+  RuleOptions options;       ///< tension, weights and level
   int sectors = 0;
   bool around_face = false;
   double first_angle = 0;  ///< direction of the first spoke, or of the face's first corner
@@ -34,7 +34,8 @@ void require_valence(const Scheme& scheme, int valence);
 /// @param valence  edges at the middle vertex, corners of the middle face for dual schemes
 /// @param rings    how many rings of faces there are around, about
 /// Precondition: has_valence()
-[[nodiscard]] Star control_star(const Scheme& scheme, int valence, int rings, double tension);
+[[nodiscard]] Star control_star(const Scheme& scheme, int valence, int rings,
+                                const RuleOptions& options);
 
 /// One step: the refined star, and the matrix of the step, (vertices of the child, of the parent).
 struct StarStep {

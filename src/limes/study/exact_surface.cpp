@@ -8,10 +8,12 @@
 namespace limes {
 namespace {
 
+using Kind = GeometrySettings::Kind;
+
 /// From the nearest point of the axis, or from the centre, to x.
 Vec3 arm(const GeometrySettings& surface, const Vec3& x) {
   Vec3 d = x - surface.point;
-  if (surface.kind == GeometrySettings::Kind::cylinder) {
+  if (surface.kind == Kind::cylinder) {
     const Vec3 axis = surface.axis.normalized();
     d -= d.dot(axis) * axis;
   }
@@ -23,6 +25,25 @@ Vec3 arm(const GeometrySettings& surface, const Vec3& x) {
   return d;
 }
 
+double value_of(const Expression& formula, const Vec3& x) {
+  const double value = formula(x);
+  if (!std::isfinite(value))
+    throw InputError("'{}' has no finite value at ({:.6g}, {:.6g}, {:.6g})", formula.text(), x.x(),
+                     x.y(), x.z());
+  return value;
+}
+
+/// By central differences; the step balances rounding and the cubic term.
+Vec3 gradient_of(const Expression& formula, const Vec3& x) {
+  const double h = 1e-5 * std::max(1e-3, x.norm());
+  Vec3 out;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 step = h * Vec3::Unit(i);
+    out(i) = (value_of(formula, x + step) - value_of(formula, x - step)) / (2 * h);
+  }
+  return out;
+}
+
 double height(const GeometrySettings& surface, double x, double y) {
   const double z = surface.height(Vec3(x, y, 0));
   if (!std::isfinite(z))
@@ -30,7 +51,6 @@ double height(const GeometrySettings& surface, double x, double y) {
   return z;
 }
 
-/// By central differences; the step balances rounding and the cubic term.
 Vec3 graph_normal(const GeometrySettings& surface, const Vec3& x) {
   const double h = 1e-5 * std::max(1e-3, x.norm());
   const double zx = height(surface, x.x() + h, x.y()) - height(surface, x.x() - h, x.y());
@@ -38,18 +58,83 @@ Vec3 graph_normal(const GeometrySettings& surface, const Vec3& x) {
   return Vec3(-zx, -zy, 2 * h).normalized();
 }
 
+/// A function that is zero on the surface, and its gradient.
+struct Residual {
+  double value;
+  Vec3 gradient;
+};
+
+Residual residual(const GeometrySettings& surface, const Vec3& x) {
+  switch (surface.kind) {
+    case Kind::plane:
+      return {(x - surface.point).dot(surface.axis.normalized()), surface.axis.normalized()};
+    case Kind::graph: {
+      const Vec3 n = graph_normal(surface, x);
+      return {(x.z() - height(surface, x.x(), x.y())) * n.z(), n};
+    }
+    case Kind::formula: {
+      const Vec3 g = gradient_of(surface.zero, x);
+      if (!(g.norm() > 0))
+        throw InputError("'{}' has no gradient at ({:.6g}, {:.6g}, {:.6g})", surface.zero.text(),
+                         x.x(), x.y(), x.z());
+      return {value_of(surface.zero, x) / g.norm(), g.normalized()};
+    }
+    case Kind::cylinder:
+    case Kind::sphere:
+      break;
+  }
+  const Vec3 d = arm(surface, x);
+  return {d.norm() - surface.radius, d.normalized()};
+}
+
 }  // namespace
 
+Vec3 project(std::span<const GeometrySettings* const> surfaces, const Vec3& start) {
+  constexpr int most_steps = 50;
+  const auto n = static_cast<Eigen::Index>(surfaces.size());
+  const double size = std::max(1e-3, start.norm());
+  Vec3 x = start;
+  for (int step = 0; step < most_steps; ++step) {
+    MatrixX G(n, 3);
+    VectorX g(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Residual r = residual(*surfaces[static_cast<std::size_t>(i)], x);
+      G.row(i) = r.gradient.transpose();
+      g(i) = r.value;
+    }
+    const Vec3 move = -G.completeOrthogonalDecomposition().solve(g);
+    if (!move.allFinite() || move.norm() > 10 * size) break;
+    x += move;
+    // a step this short is rounding: gradients by differences have ten digits, so it converges fast
+    if (move.norm() <= 1e-15 * size || (step > 4 && move.norm() <= 1e-14 * size)) return x;
+  }
+  throw InputError("the surfaces of the vertex at ({:.6g}, {:.6g}, {:.6g}) do not meet near it",
+                   start.x(), start.y(), start.z());
+}
+
 Vec3 project(const GeometrySettings& surface, const Vec3& x) {
-  if (surface.kind == GeometrySettings::Kind::graph)
-    return {x.x(), x.y(), height(surface, x.x(), x.y())};
+  switch (surface.kind) {
+    case Kind::graph:
+      return {x.x(), x.y(), height(surface, x.x(), x.y())};
+    case Kind::plane: {
+      const Vec3 n = surface.axis.normalized();
+      return x - (x - surface.point).dot(n) * n;
+    }
+    case Kind::formula: {
+      const GeometrySettings* const one = &surface;
+      return project(std::span(&one, 1), x);
+    }
+    case Kind::cylinder:
+    case Kind::sphere:
+      break;
+  }
   const Vec3 d = arm(surface, x);
   return x + (surface.radius / d.norm() - 1) * d;
 }
 
 Vec3 outward_normal(const GeometrySettings& surface, const Vec3& x) {
-  if (surface.kind == GeometrySettings::Kind::graph) return graph_normal(surface, x);
-  return arm(surface, x).normalized();
+  if (surface.kind == Kind::graph) return graph_normal(surface, x);
+  return residual(surface, x).gradient;
 }
 
 }  // namespace limes

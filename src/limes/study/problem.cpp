@@ -47,7 +47,10 @@ class ProblemReader {
   void read_top();
   void read_mesh();
   void read_model();
+  [[nodiscard]] GeometrySettings geometry_of(const TableReader& table) const;
   void read_geometry();
+  void read_curves();
+  void read_seams();
   void read_materials();
   void read_periodic();
   void read_supports();
@@ -115,27 +118,79 @@ void ProblemReader::read_mesh() {
   }
 }
 
+GeometrySettings ProblemReader::geometry_of(const TableReader& table) const {
+  using Kind = GeometrySettings::Kind;
+  GeometrySettings geometry;
+  geometry.line = table.line();
+  std::string kind;
+  table.read("kind", kind);
+  geometry.kind = kind == "sphere"    ? Kind::sphere
+                  : kind == "plane"   ? Kind::plane
+                  : kind == "graph"   ? Kind::graph
+                  : kind == "formula" ? Kind::formula
+                                      : Kind::cylinder;
+  const char* const needed = kind == "graph"     ? "height"
+                             : kind == "formula" ? "zero"
+                             : kind == "plane"   ? "axis"
+                                                 : "radius";
+  if (!table.has(needed))
+    fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, kind));
+  if (table.has("part")) table.read("part", geometry.part.emplace());
+  table.read("height", geometry.height);
+  table.read("zero", geometry.zero);
+  table.read("point", geometry.point);
+  table.read("axis", geometry.axis);
+  table.read("radius", geometry.radius);
+  if (kind == "sphere") refuse_keys(table, "geometry", {"axis", "height", "zero"}, "a sphere");
+  if (kind == "cylinder") refuse_keys(table, "geometry", {"height", "zero"}, "a cylinder");
+  if (kind == "plane") refuse_keys(table, "geometry", {"radius", "height", "zero"}, "a plane");
+  if (kind == "graph")
+    refuse_keys(table, "geometry", {"point", "axis", "radius", "zero"}, "a graph");
+  if (kind == "formula")
+    refuse_keys(table, "geometry", {"point", "axis", "radius", "height"}, "a formula");
+  if (!(geometry.axis.norm() > 0))
+    fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
+  return geometry;
+}
+
 void ProblemReader::read_geometry() {
   for (const TableReader& table : tables("geometry")) {
-    GeometrySettings& geometry = problem_.geometry.emplace();
-    geometry.line = table.line();
-    std::string kind;
-    table.read("kind", kind);
-    geometry.kind = kind == "sphere"  ? GeometrySettings::Kind::sphere
-                    : kind == "graph" ? GeometrySettings::Kind::graph
-                                      : GeometrySettings::Kind::cylinder;
-    const char* const needed = kind == "graph" ? "height" : "radius";
-    if (!table.has(needed))
-      fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, kind));
-    table.read("height", geometry.height);
-    table.read("point", geometry.point);
-    table.read("axis", geometry.axis);
-    table.read("radius", geometry.radius);
-    if (kind == "sphere") refuse_keys(table, "geometry", {"axis", "height"}, "a sphere");
-    if (kind == "cylinder") refuse_keys(table, "geometry", {"height"}, "a cylinder");
-    if (kind == "graph") refuse_keys(table, "geometry", {"point", "axis", "radius"}, "a graph");
-    if (!(geometry.axis.norm() > 0))
-      fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
+    GeometrySettings geometry = geometry_of(table);
+    const GeometrySettings* other = nullptr;
+    if (!geometry.part && problem_.geometry) other = &*problem_.geometry;
+    for (const GeometrySettings& g : problem_.geometry_of_parts)
+      if (g.part == geometry.part) other = &g;
+    if (other)
+      fail(table.place("part"),
+           fmt::format("this [[geometry]] is for the same part as that of line {}; a part has one",
+                       other->line));
+    if (geometry.part)
+      problem_.geometry_of_parts.push_back(std::move(geometry));
+    else
+      problem_.geometry = std::move(geometry);
+  }
+}
+
+void ProblemReader::read_curves() {
+  for (const TableReader& table : tables("curve")) {
+    CurveSettings& curve = problem_.curves.emplace_back();
+    curve.line = curve.surface.line = table.line();
+    curve.where_line = table.line("where");
+    curve.surface.kind = GeometrySettings::Kind::formula;
+    table.read("where", curve.where);
+    table.read("zero", curve.surface.zero);
+    if (!problem_.mesh.exact)
+      fail(table.place(), "a [[curve]] places vertices; it needs [mesh] placement = \"exact\"");
+  }
+}
+
+void ProblemReader::read_seams() {
+  for (const TableReader& table : tables("seam")) {
+    SeamSettings& seam = problem_.seams.emplace_back();
+    seam.line = table.line();
+    table.read("parts", seam.parts);
+    if (seam.parts.size() < 2)
+      fail(table.place("parts"), "[[seam]] parts has one part; a seam ties two or more");
   }
 }
 
@@ -337,9 +392,12 @@ void ProblemReader::check_model() const {
       fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
     return;
   }
-  if (problem_.geometry)
-    fail_at(problem_.geometry->line,
+  if (problem_.geometry || !problem_.geometry_of_parts.empty())
+    fail_at(problem_.geometry ? problem_.geometry->line : problem_.geometry_of_parts.front().line,
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
+  if (!problem_.seams.empty())
+    fail_at(problem_.seams.front().line,
+            "a [[seam]] is for shells, [model] kind = \"mitc4\"; remove it");
   for (const SupportSettings& s : problem_.supports) {
     if (s.kind != SupportKind::listed && s.kind != SupportKind::value)
       fail_at(s.line, "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
@@ -356,6 +414,8 @@ Problem ProblemReader::read() {
   read_mesh();
   read_model();
   read_geometry();
+  read_curves();
+  read_seams();
   read_materials();
   read_periodic();
   read_supports();

@@ -15,7 +15,11 @@ namespace {
 constexpr std::array tables{
     Table{"units", TableForm::single, Need::optional, "names of your units, for reports only"},
     Table{"mesh", TableForm::single, Need::required, "the surface and the space on it"},
-    Table{"geometry", TableForm::single, Need::optional, "an exact surface to place vertices on"},
+    Table{"geometry", TableForm::single_or_list, Need::optional,
+          "an exact surface to place vertices on; several with part"},
+    Table{"curve", TableForm::list, Need::optional,
+          "boundary edges that follow a curve of the exact surface"},
+    Table{"seam", TableForm::list, Need::optional, "parts tied along their boundaries"},
     Table{"model", TableForm::single, Need::required, "the equations"},
     Table{"material", TableForm::single_or_list, Need::required,
           "what the surface is made of; several with where"},
@@ -24,8 +28,7 @@ constexpr std::array tables{
           "what is held; at least one, unless there is [periodic]"},
     Table{"load", TableForm::list, Need::optional, "what acts; loads add up"},
     Table{"probe", TableForm::list, Need::optional, "points whose values are reported"},
-    Table{"adapt", TableForm::single, Need::optional, "refinement where the error is"},
-    Table{"seam", TableForm::list, Need::later, "parts tied along their boundaries"}};
+    Table{"adapt", TableForm::single, Need::optional, "refinement where the error is"}};
 
 constexpr std::array keys{
     Key{.table = "", .name = "title", .help = "heading of the report"},
@@ -61,18 +64,21 @@ constexpr std::array keys{
         .name = "kind",
         .type = ValueType::name,
         .need = Need::required,
-        .choices = "cylinder sphere graph",
+        .choices = "cylinder sphere plane graph formula",
         .help = "of the exact surface"},
+    Key{.table = "geometry",
+        .name = "part",
+        .help = "the part (OBJ 'o') whose surface it is; without it: of all without their own"},
     Key{.table = "geometry",
         .name = "point",
         .type = ValueType::point,
         .initial = "[0, 0, 0]",
-        .help = "a point of the cylinder's axis, the sphere's centre"},
+        .help = "a point of the cylinder's axis or of the plane, the sphere's centre"},
     Key{.table = "geometry",
         .name = "axis",
         .type = ValueType::point,
         .initial = "[0, 0, 1]",
-        .help = "direction of the cylinder's axis"},
+        .help = "direction of the cylinder's axis; normal of the plane, required there"},
     Key{.table = "geometry",
         .name = "radius",
         .type = ValueType::number,
@@ -82,6 +88,27 @@ constexpr std::array keys{
         .name = "height",
         .type = ValueType::formula,
         .help = "z of the graph, a formula in x and y; required there"},
+    Key{.table = "geometry",
+        .name = "zero",
+        .type = ValueType::formula,
+        .help = "a smooth formula in x, y, z that is 0 on the surface; required for a formula"},
+
+    Key{.table = "curve",
+        .name = "where",
+        .type = ValueType::selection,
+        .need = Need::required,
+        .help = "boundary edges of the control mesh, both ends selected"},
+    Key{.table = "curve",
+        .name = "zero",
+        .type = ValueType::formula,
+        .need = Need::required,
+        .help = "a smooth formula in x, y, z that is 0 on the curve"},
+
+    Key{.table = "seam",
+        .name = "parts",
+        .type = ValueType::texts,
+        .need = Need::required,
+        .help = "names of the parts (OBJ 'o'), two or more"},
 
     Key{.table = "model",
         .name = "kind",
@@ -383,6 +410,8 @@ std::string describe_value(const Key& key) {
     }
     case ValueType::names:
       return fmt::format("a list of {}", fmt::join(split_words(key.choices), ", "));
+    case ValueType::texts:
+      return "a list of texts";
     case ValueType::integer:
       return describe_range(key.range, "an integer");
     case ValueType::number:

@@ -16,6 +16,7 @@ enum class ValueType {
   text,            ///< not empty
   name,            ///< one of Key::choices
   names,           ///< a list of Key::choices, not empty, none twice
+  texts,           ///< a list of texts, not empty, none twice
   integer,         ///< within Key::range
   number,          ///< within Key::range
   boolean,         ///< true, false

@@ -180,7 +180,7 @@ void TableReader::read(std::string_view name, std::vector<std::string>& value) c
   for (const toml::node* entry : entries(key, *node, 1, most)) {
     const auto word = entry->value_exact<std::string>();
     if (!word) fail_value(key, *entry);
-    check_choice(key, *word, *entry);
+    if (key.type == ValueType::names) check_choice(key, *word, *entry);
     if (std::find(words.begin(), words.end(), *word) != words.end())
       fail(place_of(*entry, file_), fmt::format("{} has '{}' twice", label(name), *word));
     words.push_back(*word);

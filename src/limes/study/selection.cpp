@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
+#include "limes/study/condition.h"
 #include "limes/study/expression.h"
 #include "limes/study/suggest.h"
 
@@ -52,14 +52,6 @@ bool is_word(std::string_view text) {
   return true;
 }
 
-/// "x from 0 to 1, y from ..." of the points that faces use.
-std::string describe_extent(const Vec3& low, const Vec3& high) {
-  return fmt::format(
-      "the mesh has x from {:.6g} to {:.6g}, y from {:.6g} to {:.6g}, z from {:.6g} "
-      "to {:.6g}",
-      low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
-}
-
 }  // namespace
 
 Where parse_where(std::string_view text) {
@@ -79,6 +71,21 @@ Where parse_where(std::string_view text) {
                      suggest(text, words));
   (void)Expression(text);
   return where;
+}
+
+std::vector<FaceId> faces_in_groups(const std::vector<FaceGroup>& groups, const Where& where) {
+  const std::string_view kind = where.kind == Where::Kind::group ? "group" : "part";
+  std::vector<FaceId> faces;
+  for (const FaceGroup& group : groups)
+    if (group.name == where.name) faces.insert(faces.end(), group.faces.begin(), group.faces.end());
+  if (!faces.empty()) return faces;
+  if (groups.empty())
+    throw InputError("where = {} selects nothing: the mesh has no {}s", quote(where.text), kind);
+  std::vector<std::string_view> names;
+  for (const FaceGroup& group : groups)
+    if (!group.faces.empty()) names.push_back(group.name);
+  throw InputError("where = {} selects nothing: there is no face in a {} of that name; {}",
+                   quote(where.text), kind, suggest(where.name, names));
 }
 
 Selection::Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<const Vec3> points,
@@ -102,10 +109,10 @@ Selection::Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<con
       select_boundary();
       break;
     case Where::Kind::group:
-      select_group(mesh.groups, "group");
+      select_group(mesh.groups);
       break;
     case Where::Kind::part:
-      select_group(mesh.parts, "part");
+      select_group(mesh.parts);
       break;
     case Where::Kind::vertex:
       select_vertex();
@@ -133,24 +140,17 @@ void Selection::select_boundary() {
   if (!any) fail("selects nothing: the mesh has no boundary");
 }
 
-void Selection::select_group(const std::vector<FaceGroup>& groups, std::string_view kind) {
+void Selection::select_group(const std::vector<FaceGroup>& groups) {
   faces_.assign(static_cast<std::size_t>(mesh_->topology.num_faces()), false);
-  bool any = false;
-  for (const FaceGroup& group : groups) {
-    if (group.name != where_.name) continue;
-    for (const FaceId f : group.faces) {
-      any = faces_[static_cast<std::size_t>(f.value)] = true;
+  try {
+    for (const FaceId f : faces_in_groups(groups, where_)) {
+      faces_[static_cast<std::size_t>(f.value)] = true;
       for (const VertexId v : mesh_->topology.face(f))
         vertices_[static_cast<std::size_t>(v.value)] = true;
     }
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", place_, error.what());
   }
-  if (any) return;
-  if (groups.empty()) fail(fmt::format("selects nothing: the mesh has no {}s", kind));
-  std::vector<std::string_view> names;
-  for (const FaceGroup& group : groups)
-    if (!group.faces.empty()) names.push_back(group.name);
-  fail(fmt::format("selects nothing: there is no face in a {} of that name; {}", kind,
-                   suggest(where_.name, names)));
 }
 
 void Selection::select_vertex() {
@@ -170,21 +170,15 @@ void Selection::select_condition(std::span<const Vec3> points) {
     low = low.cwiseMin(points[v]);
     high = high.cwiseMax(points[v]);
   }
-  constexpr double relative_tolerance = 1e-9;
-  const Expression condition(where_.text, relative_tolerance * (high - low).norm());
+  const Condition condition(where_.text, (high - low).norm());
   bool any = false;
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!used(v)) continue;
-    const double value = condition(points[v]);
-    if (std::isnan(value))
-      fail(fmt::format("has no value at ({:.6g}, {:.6g}, {:.6g})", points[v].x(), points[v].y(),
-                       points[v].z()));
-    if (value != 0 && value != 1)
-      fail(
-          fmt::format("is {:.6g} at ({:.6g}, {:.6g}, {:.6g}), neither true nor false; compare, as "
-                      "in x == 0",
-                      value, points[v].x(), points[v].y(), points[v].z()));
-    vertices_[v] = value == 1;
+    try {
+      vertices_[v] = condition(points[v]);
+    } catch (const InputError& error) {
+      throw InputError("{}: {}", place_, error.what());
+    }
     any = any || vertices_[v];
   }
   if (!any)

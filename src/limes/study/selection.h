@@ -23,6 +23,11 @@ struct Where {
 /// @throws InputError that says what is wrong, without the place in a file
 [[nodiscard]] Where parse_where(std::string_view text);
 
+/// The faces of the groups (or parts) that a `where` of this kind names.
+/// @throws InputError if there are none, with what there is to select, without the place in a file
+[[nodiscard]] std::vector<FaceId> faces_in_groups(const std::vector<FaceGroup>& groups,
+                                                  const Where& where);
+
 /// The vertices, faces and boundary edges of a mesh that a `where` means.
 ///
 /// A condition is tested at the vertices' limit positions; == means within 1e-9 of the diagonal of
@@ -45,7 +50,7 @@ class Selection {
   [[nodiscard]] std::vector<HalfedgeId> boundary_edges() const;
 
  private:
-  void select_group(const std::vector<FaceGroup>& groups, std::string_view kind);
+  void select_group(const std::vector<FaceGroup>& groups);
   void select_boundary();
   void select_vertex();
   void select_condition(std::span<const Vec3> points);

@@ -1,6 +1,8 @@
 #include "limes/study/shell_loads.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "limes/core/error.h"
 #include "limes/study/selection.h"
@@ -60,11 +62,14 @@ class ShellLoad {
 
   void at_vertices(VectorX& f) const {
     const bool moment = load_.kind == LoadKind::moment;
+    std::vector<char> loaded(chosen_.vertices().size(), 0);  // tied vertices once
     for (int v = 0; v < model_.mesh->points.size(); ++v) {
+      const int node = model_.node[VertexId(v)].value;
       if (!chosen_.vertices()[static_cast<std::size_t>(v)]) continue;
+      if (std::exchange(loaded[static_cast<std::size_t>(node)], 1)) continue;
       const Vec3 p = value(model_.mesh->points[VertexId(v)]);
       if (moment) require_carried(VertexId(v), p);
-      f.segment<3>(6 * v + (moment ? 3 : 0)) += p;
+      f.segment<3>(6 * node + (moment ? 3 : 0)) += p;
     }
   }
 

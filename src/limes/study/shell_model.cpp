@@ -1,5 +1,8 @@
 #include "limes/study/shell_model.h"
 
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -8,31 +11,12 @@
 #include "limes/study/exact_surface.h"
 #include "limes/study/materials.h"
 #include "limes/study/shell_directors.h"
+#include "limes/study/shell_placement.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
-
-/// What the exact surface says, with the place of its table.
-template <class Work>
-auto on_surface(const Problem& problem, const Work& work) {
-  try {
-    return work(*problem.geometry);
-  } catch (const InputError& error) {
-    throw InputError("{}:{}: {}", problem.file.string(), problem.geometry->line, error.what());
-  }
-}
-
-/// Nodes halfway between others, then moved onto the exact surface; level by level.
-Mesh refined_on(const Problem& problem, Mesh mesh) {
-  for (int level = 0;; ++level) {
-    for (Vec3& x : mesh.points)
-      x = on_surface(problem, [&](const GeometrySettings& s) { return project(s, x); });
-    if (level == problem.mesh.levels) return mesh;
-    mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
-  }
-}
 
 void require_quads(const Mesh& mesh, const std::string& file) {
   const Topology& t = mesh.topology;
@@ -87,25 +71,61 @@ IdArray<HalfedgeId, Vec3> move_to_limit(Mesh& mesh, const Scheme& scheme, Bounda
   return normal;
 }
 
+/// Exact normals where there is an exact surface, on the side that faces say is up.
 void set_exact_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal) {
   const Topology& t = model.mesh->topology;
-  model.smooth = IdArray<VertexId, char>(static_cast<std::size_t>(t.num_vertices()), 1);
-  model.director = IdArray<HalfedgeId, Vec3>(static_cast<std::size_t>(t.num_corners()));
-  for (int h = 0; h < t.num_corners(); ++h) {
-    const Vec3& x = model.mesh->points[t.corner(HalfedgeId(h))];
-    const Vec3 n =
-        on_surface(model.problem, [&](const GeometrySettings& s) { return outward_normal(s, x); });
-    const bool inward = n.dot(corner_normal[HalfedgeId(h)]) < 0;  // faces say which side is up
-    model.director[HalfedgeId(h)] = inward ? Vec3(-n) : n;
+  const auto geometry = geometry_of_faces(model.problem, *model.mesh);
+  for (int f = 0; f < t.num_faces(); ++f) {
+    const GeometrySettings* const surface = geometry[static_cast<std::size_t>(f)];
+    for (int i = 0; surface && i < t.face_size(FaceId(f)); ++i) {
+      const HalfedgeId h = t.halfedge(FaceId(f), i);
+      try {
+        const Vec3 n = outward_normal(*surface, model.mesh->points[t.corner(h)]);
+        model.director[h] = n.dot(corner_normal[h]) < 0 ? Vec3(-n) : n;
+      } catch (const InputError& error) {
+        throw InputError("{}:{}: {}", model.problem.file.string(), surface->line, error.what());
+      }
+    }
   }
 }
 
+/// A node is smooth if all directors there are on one line, give or take the kink angle; sides with
+/// opposite orientation are no kink. Where they differ by less than that, but more than by rounding,
+/// tied parts take their mean.
+void join_directors(ShellModel& model) {
+  const Topology& t = model.mesh->topology;
+  const double cosine = std::cos(model.problem.model.kink_angle * std::numbers::pi / 180);
+  std::map<VertexId, std::vector<HalfedgeId>> corners;
+  for (int h = 0; h < t.num_corners(); ++h)
+    corners[model.node[t.corner(HalfedgeId(h))]].push_back(HalfedgeId(h));
+  for (const auto& [node, around] : corners) {
+    const Vec3 first = model.director[around.front()];
+    Vec3 sum = Vec3::Zero();
+    double least = 1;
+    for (const HalfedgeId h : around) {
+      const double along = model.director[h].dot(first);
+      least = std::min(least, std::abs(along));
+      sum += along < 0 ? Vec3(-model.director[h]) : model.director[h];
+    }
+    model.smooth[node] = least >= cosine;
+    if (model.smooth[node] && least < 1 - 1e-12)
+      for (const HalfedgeId h : around)
+        model.director[h] = (model.director[h].dot(first) < 0 ? -1 : 1) * sum.normalized();
+  }
+  for (int v = 0; v < t.num_vertices(); ++v)
+    model.smooth[VertexId(v)] = model.smooth[model.node[VertexId(v)]];
+}
+
 void set_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal) {
-  if (model.problem.geometry) return set_exact_directors(model, corner_normal);
-  Directors directors =
-      mean_directors(*model.adjacency, corner_normal, model.problem.model.kink_angle);
+  const Problem& problem = model.problem;
+  Directors directors = mean_directors(*model.adjacency, corner_normal, problem.model.kink_angle);
   model.director = std::move(directors.at_corner);
   model.smooth = std::move(directors.smooth);
+  if (problem.geometry || !problem.geometry_of_parts.empty()) {
+    set_exact_directors(model, corner_normal);
+    model.smooth = IdArray<VertexId, char>(static_cast<std::size_t>(model.smooth.size()), 1);
+  }
+  if (!problem.geometry_of_parts.empty() || !problem.seams.empty()) join_directors(model);
 }
 
 void set_size(ShellModel& model) {
@@ -149,13 +169,13 @@ ShellVector ShellModel::unknowns(FaceId face, const VectorX& u) const {
   ShellVector out;
   for (int i = 0; i < 4; ++i)
     out.segment<6>(6 * i) =
-        u.segment<6>(6 * mesh->topology.corner(mesh->topology.halfedge(face, i)).value);
+        u.segment<6>(6 * node[mesh->topology.corner(mesh->topology.halfedge(face, i))].value);
   return out;
 }
 
 void ShellModel::scatter(FaceId face, const ShellVector& element, VectorX& out) const {
   for (int i = 0; i < 4; ++i)
-    out.segment<6>(6 * mesh->topology.corner(mesh->topology.halfedge(face, i)).value) +=
+    out.segment<6>(6 * node[mesh->topology.corner(mesh->topology.halfedge(face, i))].value) +=
         element.segment<6>(6 * i);
 }
 
@@ -176,7 +196,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   model.problem = problem;
   model.control = std::move(control);
   const BoundaryRule boundary = model.control.tags.boundary.value_or(BoundaryRule::edges);
-  Mesh mesh = problem.mesh.exact ? refined_on(problem, model.control)
+  Mesh mesh = problem.mesh.exact ? refined_on_surfaces(problem, model.control)
                                  : refine(model.control, scheme,
                                           {.levels = problem.mesh.levels, .boundary = boundary});
   require_quads(mesh, file);
@@ -186,8 +206,12 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, file);
   model.mesh = std::make_unique<Mesh>(std::move(mesh));
   model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
-  set_directors(model, normal.empty() ? flat : normal);
   set_size(model);
+  const auto tied =
+      refined_seams(model.control, seams_of(problem, model.control), problem.mesh.levels);
+  require_coincident(problem, *model.mesh, tied, model.diagonal);
+  model.node = tied_nodes(model.mesh->topology.num_vertices(), tied);
+  set_directors(model, normal.empty() ? flat : normal);
   set_materials(model);
   return model;
 }

@@ -11,7 +11,7 @@
 namespace limes {
 
 /// A shell problem on its mesh of four-node elements: what was read, refined, placed, selected.
-/// Unknown 6 v + i is displacement i of vertex v, 6 v + 3 + i its rotation about axis i.
+/// Unknown 6 v + i, v = node of a vertex, is displacement i of vertex v, 6 v + 3 + i its rotation about axis i.
 struct ShellModel {
   Problem problem;
   Mesh control;                          ///< as in the file
@@ -22,6 +22,8 @@ struct ShellModel {
   IdArray<HalfedgeId, Vec3> director;
   /// Nodes with one director: their rotation about it is no unknown. The others are on kinks.
   IdArray<VertexId, char> smooth;
+  /// The vertex whose unknowns a vertex has: the lowest one tied to it by a seam, else itself.
+  IdArray<VertexId, VertexId> node;
   std::vector<int> material_of_face;  ///< index in problem.materials
   double diagonal = 0;                ///< of the box around the nodes
   Vec3 centre = Vec3::Zero();         ///< of that box

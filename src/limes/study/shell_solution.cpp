@@ -81,8 +81,8 @@ SparseMatrix shell_matrix(const ShellModel& model) {
     for (int i = 0; i < 24; ++i)
       for (int j = 0; j < 24; ++j) {
         const auto corners = t.face(FaceId(f));
-        entries.emplace_back(6 * corners[static_cast<std::size_t>(i / 6)].value + i % 6,
-                             6 * corners[static_cast<std::size_t>(j / 6)].value + j % 6,
+        entries.emplace_back(6 * model.node[corners[static_cast<std::size_t>(i / 6)]].value + i % 6,
+                             6 * model.node[corners[static_cast<std::size_t>(j / 6)]].value + j % 6,
                              element[static_cast<std::size_t>(f)](i, j));
       }
   SparseMatrix K(model.num_unknowns(), model.num_unknowns());
@@ -106,8 +106,8 @@ ShellSolution solve_shell(const ShellModel& model) {
   const DirectSolver solver(reduced);
   const MatrixX free = solver.solve(load);
   solution.num_unknowns = fix.num_free();
-  for (const char smooth : model.smooth)
-    solution.num_kink_nodes += smooth ? 0 : 1;
+  for (int v = 0; v < model.smooth.size(); ++v)
+    solution.num_kink_nodes += !model.smooth[VertexId(v)] && model.node[VertexId(v)] == VertexId(v);
   solution.solver_residual = solver.relative_residual(free, load);
   solution.rounding_floor = solver.rounding_floor(free, load);
   solution.u = fix.T * free;
@@ -116,6 +116,9 @@ ShellSolution solve_shell(const ShellModel& model) {
   solution.load_size = load_size(f);
   solution.loads = resultant_of(model, f, Vec3::Zero());
   set_reactions(model, supports, f, internal - f, solution);
+  for (int v = 0; v < model.node.size(); ++v)  // tied vertices show what their node does
+    solution.u.segment<6>(6 * v) =
+        VectorX(solution.u.segment<6>(6 * model.node[VertexId(v)].value));
   return solution;
 }
 

@@ -53,10 +53,11 @@ std::vector<EdgeEnd> edge_ends(const ShellModel& model, const std::vector<Halfed
 
 class SupportRows {
  public:
-  explicit SupportRows(std::vector<ConstraintRow>& rows) : rows_(rows) {}
+  SupportRows(const ShellModel& model, std::vector<ConstraintRow>& rows)
+      : model_(model), rows_(rows) {}
 
-  void displacement(VertexId v, const Vec3& direction) { add(6 * v.value, direction); }
-  void rotation(VertexId v, const Vec3& axis) { add(6 * v.value + 3, axis); }
+  void displacement(VertexId v, const Vec3& direction) { add(6 * node(v), direction); }
+  void rotation(VertexId v, const Vec3& axis) { add(6 * node(v) + 3, axis); }
   /// The part of theta x V along a direction.
   void turn(const EdgeEnd& end, const Vec3& direction) {
     rotation(end.vertex, end.director.cross(direction));
@@ -69,6 +70,9 @@ class SupportRows {
       if (direction(i) != 0) row.emplace_back(first + i, direction(i));
     rows_.push_back(std::move(row));
   }
+  [[nodiscard]] int node(VertexId v) const { return model_.node[v].value; }
+
+  const ShellModel& model_;
   std::vector<ConstraintRow>& rows_;
 };
 
@@ -109,7 +113,7 @@ std::vector<HalfedgeId> chosen_edges(const ShellModel& model, const SupportSetti
 
 void add_support(const ShellModel& model, const SupportSettings& support,
                  std::vector<ConstraintRow>& out) {
-  SupportRows rows(out);
+  SupportRows rows(model, out);
   if (support.kind == SupportKind::listed) {
     const Selection chosen = selected(model, support);
     for (int v = 0; v < model.mesh->points.size(); ++v)
@@ -157,6 +161,10 @@ std::vector<int> pieces(const ShellModel& model) {
       const int a = find(t.face(FaceId(f))[0].value), b = find(v.value);
       root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
     }
+  for (int v = 0; v < t.num_vertices(); ++v) {
+    const int a = find(v), b = find(model.node[VertexId(v)].value);
+    root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
   for (int v = 0; v < t.num_vertices(); ++v)
     root[static_cast<std::size_t>(v)] =
         model.adjacency->ring_start(VertexId(v)).valid() ? find(v) : -1;
@@ -217,12 +225,14 @@ ShellConstraints shell_support_constraints(const ShellModel& model) {
 
 std::vector<ConstraintRow> drilling_constraints(const ShellModel& model) {
   std::vector<ConstraintRow> out;
-  SupportRows rows(out);
+  SupportRows rows(model, out);
   for (int v = 0; v < model.mesh->points.size(); ++v) {
     const HalfedgeId h = model.adjacency->ring_start(VertexId(v));
-    if (h.valid() && model.smooth[VertexId(v)]) rows.rotation(VertexId(v), model.director[h]);
-    if (h.valid()) continue;
-    for (int i = 0; i < 6; ++i)  // a vertex without faces does not move
+    const bool own = model.node[VertexId(v)] == VertexId(v);
+    if (h.valid() && own && model.smooth[VertexId(v)])
+      rows.rotation(VertexId(v), model.director[h]);
+    if (h.valid() && own) continue;
+    for (int i = 0; i < 6; ++i)  // without faces, or with another's unknowns
       out.push_back({{6 * v + i, 1.0}});
   }
   return out;

@@ -32,6 +32,15 @@ void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
   out.add(w, v.faces);
 }
 
+/// Q/4 + R/2 + S/4 for every n: mean of the new face points, of the middles of edges, and V. The first rule
+/// of [catmull_clark_1978]; the standard one agrees at n = 4.
+void quarters_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
+  const double w = scale * (0.25 / static_cast<double>(v.faces.size()));
+  out.add(scale * 0.5, v.vertex);
+  out.add(w, v.neighbours);
+  out.add(w, v.faces);
+}
+
 }  // namespace
 
 void catmull_clark_edge(const EdgeNeighbourhood& n, const RuleOptions& options, Stencil& out) {
@@ -48,8 +57,9 @@ void catmull_clark_edge(const EdgeNeighbourhood& n, const RuleOptions& options, 
   out.add((1.0 - sharp) * face, n.faces);
 }
 
-void catmull_clark_vertex(const VertexNeighbourhood& v, const RuleOptions&, Stencil& out) {
-  add_vertex_rule(v, smooth_vertex, out);
+void catmull_clark_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out) {
+  const bool quarters = options.weights == ExtraordinaryWeights::quarters;
+  add_vertex_rule(v, quarters ? quarters_vertex : smooth_vertex, out);
 }
 
 }  // namespace limes

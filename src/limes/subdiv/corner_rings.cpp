@@ -27,10 +27,10 @@ CornerRings::CornerRings(const Adjacency& adjacency, const Features& features, c
     : adjacency_(&adjacency),
       scheme_(&scheme),
       triangles_(scheme.split == Split::triangles),
-      crease_method_(features.crease_method),
+      options_(features),
       num_steps_(num_steps),
       ring_of_(static_cast<std::size_t>(adjacency.topology().num_vertices()), -1),
-      rules_(scheme, features.crease_method) {
+      rules_(scheme, features) {
   LIMES_ASSERT(features.crease_method == CreaseMethod::uniform ||
                std::all_of(features.edges.begin(), features.edges.end(),
                            [](const SharpEdge& e) { return is_infinite(e.sharpness); }));
@@ -125,9 +125,9 @@ void CornerRings::refine(int ring, std::span<const Vec3> control, Vec3& fine) {
       advance(r, shared->rules, w);
       shared = shared->next;
     } else {
-      write_ring_rules(*scheme_, crease_method_, w.pattern, w.rules);
+      write_ring_rules(*scheme_, options_, w.pattern, w.rules);
       advance(r, w.rules, w);
-      w.pattern = decayed(crease_method_, w.pattern);
+      w.pattern = decayed(options_.crease_method, w.pattern);
     }
     if (step == num_steps_) break;
     Point4* out =

@@ -76,7 +76,7 @@ class CornerRings {
   const Scheme* scheme_;
   RegularMasks masks_{};  // of quads
   bool triangles_;
-  CreaseMethod crease_method_;
+  RuleOptions options_;
   int num_steps_;
   IdArray<VertexId, int> ring_of_;
   std::vector<Ring> rings_;

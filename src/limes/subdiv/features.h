@@ -23,10 +23,18 @@ struct SharpVertex {
   friend bool operator==(const SharpVertex&, const SharpVertex&) = default;
 };
 
+/// Weights of smooth vertices that are not regular.
+enum class ExtraordinaryWeights {
+  standard,  ///< as the scheme is known: catmull-clark and loop as in OpenSubdiv
+  quarters,  ///< catmull-clark: a quarter, a half and a quarter at every valence [catmull_clark_1978]
+  warren     ///< loop: 3/(8n), 3/16 at valence 3 [warren_weimer_2001]
+};
+
 /// What the rules depend on besides the neighbourhood: the same everywhere on a mesh.
 struct RuleOptions {
   CreaseMethod crease_method = CreaseMethod::uniform;
   bool smooth_triangles = false;
+  ExtraordinaryWeights weights = ExtraordinaryWeights::standard;
   double tension = 1.0;  ///< of interpolatory schemes, 1: cubic precision
   int level = 0;         ///< steps made since the control mesh
   /// Weights at the boundary follow the angle of the surface there, see sector.h.

@@ -9,18 +9,17 @@
 namespace limes {
 namespace {
 
-std::uint64_t level_key(int level, VertexId v) {
-  return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint64_t>(v.value);
-}
-
 Features checked_features(const Adjacency& control, const Mesh& mesh, const Scheme& scheme,
                           const RefineOptions& options) {
   if (scheme.split != Split::quads)
     throw UsageError(
         "--scheme: {} does not split quads into four; local refinement takes catmull-clark, "
-        "kobbelt "
-        "or linear",
+        "kobbelt or linear",
         scheme.name);
+  if (scheme.boundary == Boundary::creases && options.boundary == BoundaryRule::none)
+    throw InputError(
+        "boundary rule none drops faces, which local refinement does not do; take rule edges or "
+        "edges-and-corners");
   for (int f = 0; f < mesh.topology.num_faces(); ++f)
     if (mesh.topology.face_size(FaceId(f)) != 4)
       throw InputError(
@@ -41,6 +40,8 @@ Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& o
              checked_features(root_->adjacency, control, scheme, options), scheme,
              std::move(limits)) {
   const Topology& topology = control.topology;
+  // Room for the first children, so that a small step does not copy the control faces.
+  faces_.reserve(with_room(static_cast<std::size_t>(topology.num_faces())));
   faces_.resize(static_cast<std::size_t>(topology.num_faces()));
   root_offsets_.assign(static_cast<std::size_t>(topology.num_vertices()) + 1, 0);
   for (const VertexId v : topology.corners())
@@ -75,7 +76,7 @@ void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
       visit(root_faces_[static_cast<std::size_t>(k)]);
     return;
   }
-  const auto at = faces_at_.find(level_key(level, v));
+  const auto at = faces_at_.find(ForestNodes::level_key(level, v));
   if (at == faces_at_.end()) return;
   for (const FaceId f : at->second)
     visit(f);
@@ -172,8 +173,12 @@ void Forest::add_neighbours(std::vector<FaceId>& patch) const {
 }
 
 void Forest::sort_unique(std::vector<FaceId>& faces) const {
-  std::sort(faces.begin(), faces.end(), [&](FaceId a, FaceId b) { return before(a, b); });
+  // By number first: that needs no look at the faces, and most of them are there several times.
+  std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  const auto in_order = [&](FaceId a, FaceId b) { return before(a, b); };
+  if (!std::is_sorted(faces.begin(), faces.end(), in_order))
+    std::sort(faces.begin(), faces.end(), in_order);
 }
 
 bool Forest::touches_curve(FaceId f) const {
@@ -243,7 +248,7 @@ void Forest::make_children(std::vector<FaceId> faces) {
       child.parent = f;
       child.level = level + 1;
       for (const VertexId v : child.corners)
-        faces_at_[level_key(level + 1, v)].push_back(FaceId(faces_.size()));
+        faces_at_[ForestNodes::level_key(level + 1, v)].push_back(FaceId(faces_.size()));
       faces_.push_back(child);
     }
   }

@@ -43,7 +43,7 @@ class Forest {
   static constexpr int max_level = 26;  ///< paths are exact in a double, sides 1.5e-8 of a root's
 
   /// @param limits  for schemes that are not interpolatory, see limit/forest_limits.h
-  /// @throws InputError if a face is no quad, or as refine(); UsageError if the scheme splits
+  /// @throws InputError if a face is no quad, for BoundaryRule::none, or as refine(); UsageError if the scheme splits
   ///         otherwise
   Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
          SplitUnit unit = SplitUnit::families, LimitsOf limits = {});

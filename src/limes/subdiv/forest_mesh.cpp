@@ -156,9 +156,8 @@ class Numbering {
   std::vector<VertexId> nodes_;
 };
 
-std::vector<FaceGroup> handed_down(const Forest& forest, const std::vector<FaceGroup>& groups,
+std::vector<FaceGroup> handed_down(const std::vector<FaceGroup>& groups,
                                    const std::vector<std::vector<FaceId>>& faces_of_root) {
-  (void)forest;
   std::vector<FaceGroup> all;
   for (const FaceGroup& g : groups) {
     FaceGroup& made = all.emplace_back();
@@ -177,8 +176,8 @@ void hand_down_names(const Forest& forest, const Pieces& pieces, Mesh& mesh) {
   for (std::size_t f = 0; f < pieces.leaves().size(); ++f)
     faces[static_cast<std::size_t>(forest.ancestry(pieces.leaves()[f]).root.value)].push_back(
         FaceId(f));
-  mesh.groups = handed_down(forest, control.groups, faces);
-  mesh.parts = handed_down(forest, control.parts, faces);
+  mesh.groups = handed_down(control.groups, faces);
+  mesh.parts = handed_down(control.parts, faces);
   for (const FaceId hole : control.tags.holes) {
     const auto& below = faces[static_cast<std::size_t>(hole.value)];
     mesh.tags.holes.insert(mesh.tags.holes.end(), below.begin(), below.end());

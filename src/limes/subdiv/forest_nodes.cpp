@@ -33,11 +33,11 @@ struct ForestNodes::Patch {
 
 ForestNodes::ForestNodes(const Adjacency& control, std::span<const Vec3> points,
                          const Features& features, const Scheme& scheme, LimitsOf limits)
-    : scheme_(&scheme),
-      options_(features),
-      limits_(std::move(limits)),
-      positions_(std::vector<Vec3>(points.begin(), points.end())),
-      on_curve_(points.size(), 0) {
+    : scheme_(&scheme), options_(features), limits_(std::move(limits)) {
+  positions_.reserve(with_room(points.size()));
+  positions_.vector().assign(points.begin(), points.end());
+  on_curve_.reserve(with_room(points.size()));
+  on_curve_.resize(points.size(), 0);
   for (int v = 0; v < control.topology().num_vertices(); ++v)
     on_curve_[VertexId(v)] = control.is_boundary(VertexId(v)) ? 1 : 0;
   for (const SharpEdge& e : features.edges)

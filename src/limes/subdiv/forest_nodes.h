@@ -27,6 +27,11 @@ struct ChildNodes {
 using LimitsOf =
     std::function<IdArray<VertexId, Vec3>(const Topology&, const Features&, std::span<const Vec3>)>;
 
+/// Capacity for an array of so many elements that will grow a little; unused memory costs nothing.
+[[nodiscard]] constexpr std::size_t with_room(std::size_t size) {
+  return size + size / 2;
+}
+
 /// The vertices of a forest of quadtrees (forest.h): which there are, where they lie, and what is
 /// sharp. Vertices of the control mesh keep their ids, others are numbered as they are made. A vertex
 /// once made is kept and keeps its place. Knows quads and their levels, not the trees.
@@ -36,6 +41,9 @@ class ForestNodes {
   /// @param limits   of schemes that are not interpolatory
   ForestNodes(const Adjacency& control, std::span<const Vec3> points, const Features& features,
               const Scheme& scheme, LimitsOf limits);
+
+  /// Of a vertex as one of a level, for tables.
+  [[nodiscard]] static std::uint64_t level_key(int level, VertexId v);
 
   [[nodiscard]] int size() const { return positions_.size(); }
   /// On the limit surface.
@@ -60,7 +68,6 @@ class ForestNodes {
   struct Patch;
 
   static std::uint64_t edge_key(VertexId a, VertexId b);
-  static std::uint64_t level_key(int level, VertexId v);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
   [[nodiscard]] Features features_of(const Patch& patch, int level) const;
   VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);

@@ -7,8 +7,8 @@
 
 namespace limes {
 
-// Loop subdivision of triangles [loop_1987] with Loop's own weights at extraordinary vertices, and
-// the creases, corners and boundaries of [derose_1998] as OpenSubdiv defines them.
+// Loop subdivision of triangles [loop_1987] with Loop's own weights at extraordinary vertices or
+// Warren's, and the creases, corners and boundaries of [derose_1998] as OpenSubdiv defines them.
 
 namespace {
 
@@ -21,9 +21,15 @@ double neighbour_weight(std::size_t valence) {
   return (0.625 - b * b) / n;
 }
 
+/// The same by [warren_weimer_2001]: no cosine, nearly the same surface.
+double neighbour_weight_warren(std::size_t valence) {
+  return valence == 3 ? 0.1875 : 0.375 / static_cast<double>(valence);
+}
+
+template <double weight(std::size_t)>
 void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
   const std::size_t n = v.faces.size();
-  const double w = neighbour_weight(n);
+  const double w = weight(n);
   out.add(scale * (1.0 - static_cast<double>(n) * w), v.vertex);
   out.add(scale * w, v.neighbours);
 }
@@ -40,8 +46,10 @@ void loop_edge(const EdgeNeighbourhood& n, const RuleOptions&, Stencil& out) {
   out.add((1.0 - sharp) * 0.125, n.opposite);
 }
 
-void loop_vertex(const VertexNeighbourhood& v, const RuleOptions&, Stencil& out) {
-  add_vertex_rule(v, smooth_vertex, out);
+void loop_vertex(const VertexNeighbourhood& v, const RuleOptions& options, Stencil& out) {
+  const bool warren = options.weights == ExtraordinaryWeights::warren;
+  add_vertex_rule(
+      v, warren ? smooth_vertex<neighbour_weight_warren> : smooth_vertex<neighbour_weight>, out);
 }
 
 }  // namespace limes

@@ -85,6 +85,7 @@ Features control_features(const Adjacency& adjacency, const Mesh& mesh, const Sc
                           const RefineOptions& options) {
   Features features = resolve_tags(adjacency, mesh.tags, options.boundary);
   features.tension = options.tension;
+  features.weights = options.weights;
   if (options.sector_stencils) measure_corners(adjacency, mesh.points.span(), features);
   if (scheme.boundary == Boundary::open_net)
     add_breakpoints(adjacency, mesh.points.span(), options.corners, features);

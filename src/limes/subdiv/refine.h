@@ -15,6 +15,7 @@ struct RefineOptions {
   QuasiOptions quasi = {};                    ///< of quasi-four-eight; its levels do not count
   CornerRule corners = CornerRule::by_angle;  ///< of Boundary::open_net
   double tension = 1.0;                       ///< of schemes that have one
+  ExtraordinaryWeights weights = ExtraordinaryWeights::standard;  ///< catmull-clark, loop
 };
 
 /// The features of a control mesh as a scheme works with them: its tags, breakpoints and options.

@@ -19,7 +19,7 @@ RingPattern decayed(CreaseMethod method, const RingPattern& pattern) {
   return child;
 }
 
-void write_ring_rules(const Scheme& scheme, CreaseMethod method, const RingPattern& pattern,
+void write_ring_rules(const Scheme& scheme, const RuleOptions& options, const RingPattern& pattern,
                       RingRules& out) {
   const int edges = pattern.num_edges();
   const int faces = pattern.num_faces;
@@ -43,23 +43,23 @@ void write_ring_rules(const Scheme& scheme, CreaseMethod method, const RingPatte
                                    triangles && !boundary ? end(k - 1) : VertexId()},
                       .sharpness = s,
                       .child_sharp = is_sharp(decayed(s))},
-                     {}, stencil);
+                     options, stencil);
   }
   std::vector<FaceId> face_ids;
   for (int i = 0; i < faces; ++i)
     face_ids.emplace_back(i);
-  const RingPattern child = decayed(method, pattern);
+  const RingPattern child = decayed(options.crease_method, pattern);
   out.vertex.clear();
   scheme.vertex_rule({VertexId(0), neighbours, face_ids, pattern.sharpness, child.sharpness,
                       pattern.edge_sharpness, child.edge_sharpness},
-                     {}, out.vertex);
+                     options, out.vertex);
 }
 
 const RingRulesCache::Entry* RingRulesCache::find(const RingPattern& pattern, int num_steps) {
   Entry* const first = entry(pattern);
   Entry* at = first;
   for (int step = 1; at && step < num_steps; ++step) {
-    if (!at->next) at->next = entry(decayed(method_, at->pattern));
+    if (!at->next) at->next = entry(decayed(options_.crease_method, at->pattern));
     at = at->next;
   }
   return at ? first : nullptr;
@@ -71,7 +71,7 @@ RingRulesCache::Entry* RingRulesCache::entry(const RingPattern& pattern) {
   if (entries_.size() >= max_patterns) return nullptr;
   Entry& made = entries_[pattern];
   made.pattern = pattern;
-  write_ring_rules(*scheme_, method_, pattern, made.rules);
+  write_ring_rules(*scheme_, options_, pattern, made.rules);
   return &made;
 }
 

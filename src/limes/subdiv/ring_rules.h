@@ -27,7 +27,7 @@ struct RingRules {
 };
 
 /// Asks a scheme for its rules.
-void write_ring_rules(const Scheme& scheme, CreaseMethod method, const RingPattern& pattern,
+void write_ring_rules(const Scheme& scheme, const RuleOptions& options, const RingPattern& pattern,
                       RingRules& out);
 /// The pattern after a step.
 [[nodiscard]] RingPattern decayed(CreaseMethod method, const RingPattern& pattern);
@@ -45,7 +45,8 @@ class RingRulesCache {
   static constexpr std::size_t max_patterns = 2048;
 
   /// Keeps a reference to the scheme.
-  RingRulesCache(const Scheme& scheme, CreaseMethod method) : scheme_(&scheme), method_(method) {}
+  RingRulesCache(const Scheme& scheme, const RuleOptions& options)
+      : scheme_(&scheme), options_(options) {}
   RingRulesCache(const RingRulesCache&) = delete;
   RingRulesCache& operator=(const RingRulesCache&) = delete;
 
@@ -56,7 +57,7 @@ class RingRulesCache {
   [[nodiscard]] Entry* entry(const RingPattern& pattern);
 
   const Scheme* scheme_;
-  CreaseMethod method_;
+  RuleOptions options_;
   std::map<RingPattern, Entry> entries_;
 };
 

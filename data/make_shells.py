@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Writes hole.obj and cylinder_plate.obj, the start meshes of two shell problems, into this folder.
+
+hole_5.obj, hole_2_5.obj: a quarter of the Scordelis-Lo roof (radius 25, length 50, 40 degrees) with a hole
+that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the hole outwards, 8 around.
+
+cylinder_plate_3.obj, cylinder_plate_6.obj: a cylinder of radius 3 or 6 that leaves a square plate of width
+15 or 30 at 45 degrees, two parts with vertices of their own on the ellipse that they share. The plate has its
+four corners and eight nodes on the ellipse.
+"""
+import math
+import pathlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def write(name, title, parts):
+    lines, count = [f"# {title}; made by make_shells.py."], 0
+    for part, points, faces in parts:
+        if part:
+            lines.append(f"o {part}")
+        lines += ["v " + " ".join(repr(c + 0.0) for c in p) for p in points]
+        lines += ["f " + " ".join(str(count + v + 1) for v in f) for f in faces]
+        count += len(points)
+    (HERE / name).write_text("\n".join(lines) + "\n")
+
+
+def hole(a):
+    R, S, H = 25.0, 25.0 * math.radians(40), 25.0
+    points, faces = [], []
+    for j in range(5):
+        for i in range(9):
+            u, v = i / 8, j / 4
+            h = (a * math.cos(u * math.pi / 2), a * math.sin(u * math.pi / 2))
+            o = (S, 2 * u * H) if u <= 0.5 else (2 * (1 - u) * S, H)
+            s, y = ((1 - v) * h[k] + v * o[k] for k in range(2))
+            s = 0.0 if i == 8 else s
+            y = 0.0 if i == 0 else y
+            points.append((R * math.sin(s / R), y, R * math.cos(s / R)))
+    for j in range(4):
+        for i in range(8):
+            k = 9 * j + i
+            faces.append((k, k + 1, k + 10, k + 9)[::-1])
+    return points, faces
+
+
+def cylinder_plate(r, w, length=10.0, rows=4):
+    n, q = 8, math.sqrt(0.5)
+    angle = [math.radians(22.5 + 45 * i) for i in range(n)]
+    points, faces = [], []
+    for j in range(rows + 1):
+        for p in angle:
+            c, s = r * math.cos(p), r * math.sin(p)
+            z = c + (length - c) * j / rows
+            points.append((q * (c + z), s, 0.0 if j == 0 else q * (z - c)))
+    for j in range(rows):
+        for i in range(n):
+            k = (i + 1) % n
+            faces.append((j * n + i, j * n + k, (j + 1) * n + k, (j + 1) * n + i))
+    b = w / 2
+    corners = [(b, b, 0.0), (-b, b, 0.0), (-b, -b, 0.0), (b, -b, 0.0)]
+    ellipse = points[:n]
+    plate = []
+    for i in range(4):  # at corner i the ellipse's nodes 2 i, 2 i + 1
+        plate.append((2 * i + 1, 2 * i, 8 + i))
+        k = (i + 1) % 4
+        plate.append((2 * k, 2 * i + 1, 8 + i, 8 + k))
+    return [("cylinder", points, faces), ("plate", ellipse + corners, plate)]
+
+
+for a, name in ((5.0, "hole_5.obj"), (2.5, "hole_2_5.obj")):
+    write(name, f"A quarter of a roof with a hole of radius {a}", [(None, *hole(a))])
+for r, w in ((3.0, 15.0), (6.0, 30.0)):
+    write(f"cylinder_plate_{r:.0f}.obj", f"A cylinder of radius {r} on a plate of width {w}",
+          cylinder_plate(r, w))

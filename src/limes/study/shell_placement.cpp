@@ -1,0 +1,186 @@
+#include "limes/study/shell_placement.h"
+
+#include <algorithm>
+
+#include "limes/core/error.h"
+#include "limes/study/exact_surface.h"
+#include "limes/study/selection.h"
+#include "limes/study/suggest.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+
+namespace limes {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+using Surfaces = std::vector<const GeometrySettings*>;
+
+const FaceGroup& find_part(const Problem& problem, const Mesh& mesh, const std::string& name,
+                           int line) {
+  std::vector<std::string_view> names;
+  for (const FaceGroup& part : mesh.parts) {
+    if (part.name == name) return part;
+    names.push_back(part.name);
+  }
+  if (names.empty())
+    throw InputError("{}:{}: there is no part '{}': the mesh has no parts (OBJ 'o')",
+                     problem.file.string(), line, name);
+  throw InputError("{}:{}: there is no part '{}'; {}", problem.file.string(), line, name,
+                   suggest(name, names));
+}
+
+double diagonal_of(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& x : mesh.points)
+    box.extend(x);
+  return box.diagonal().norm();
+}
+
+void add_once(Surfaces& all, const GeometrySettings* one) {
+  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+/// The edges of the control mesh that follow each of the problem's curves.
+std::vector<std::vector<Edge>> curve_edges(const Problem& problem, const Mesh& mesh) {
+  const Adjacency adjacency(mesh.topology);
+  std::vector<std::vector<Edge>> out;
+  for (const CurveSettings& curve : problem.curves) {
+    const Selection chosen(mesh, adjacency, mesh.points.span(), curve.where, problem.file.string(),
+                           curve.where_line);
+    out.emplace_back();
+    for (const HalfedgeId h : chosen.boundary_edges())
+      out.back().push_back({adjacency.from(h), adjacency.to(h)});
+    if (out.back().empty())
+      throw InputError(
+          "{}:{}: '{}' selects no boundary edge of the control mesh; both ends of an "
+          "edge must be selected",
+          problem.file.string(), curve.where_line, curve.where);
+  }
+  return out;
+}
+
+/// What every vertex must lie on.
+std::vector<Surfaces> surfaces_of_vertices(const Problem& problem, const Mesh& mesh,
+                                           const std::vector<TiedEdge>& tied,
+                                           const std::vector<std::vector<Edge>>& curves) {
+  const Topology& t = mesh.topology;
+  std::vector<Surfaces> out(static_cast<std::size_t>(t.num_vertices()));
+  const auto at = [&](VertexId v) -> Surfaces& { return out[static_cast<std::size_t>(v.value)]; };
+  const auto of_face = geometry_of_faces(problem, mesh);
+  for (int f = 0; f < t.num_faces(); ++f)
+    for (const VertexId v : t.face(FaceId(f)))
+      add_once(at(v), of_face[static_cast<std::size_t>(f)]);
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (const Edge& e : curves[c])
+      for (const VertexId v : e)
+        add_once(at(v), &problem.curves[c].surface);
+  // Tied vertices share all they lie on, in one order, so that they come to the same bits.
+  const auto node = tied_nodes(t.num_vertices(), tied);
+  for (int v = t.num_vertices() - 1; v >= 0; --v)
+    for (const GeometrySettings* s : Surfaces(at(VertexId(v))))
+      add_once(at(node[VertexId(v)]), s);
+  for (int v = 0; v < t.num_vertices(); ++v)
+    at(VertexId(v)) = at(node[VertexId(v)]);
+  return out;
+}
+
+Vec3 placed(const Problem& problem, const Surfaces& surfaces, const Vec3& x) {
+  if (surfaces.empty()) return x;  // no face uses it
+  try {
+    return surfaces.size() == 1 ? project(*surfaces.front(), x) : project(surfaces, x);
+  } catch (const InputError& error) {
+    throw InputError("{}:{}: {}", problem.file.string(), surfaces.back()->line, error.what());
+  }
+}
+
+void require_surfaces(const Problem& problem, const Mesh& mesh) {
+  const auto of_face = geometry_of_faces(problem, mesh);
+  const auto bare = std::find(of_face.begin(), of_face.end(), nullptr);
+  if (bare != of_face.end())
+    throw InputError("{}:{}: placement 'exact' needs a [geometry] for every part; face {} has none",
+                     problem.file.string(), problem.mesh.line, bare - of_face.begin());
+}
+
+}  // namespace
+
+std::vector<const GeometrySettings*> geometry_of_faces(const Problem& problem, const Mesh& mesh) {
+  std::vector<const GeometrySettings*> out(static_cast<std::size_t>(mesh.topology.num_faces()),
+                                           problem.geometry ? &*problem.geometry : nullptr);
+  for (const GeometrySettings& g : problem.geometry_of_parts)
+    for (const FaceId f : find_part(problem, mesh, *g.part, g.line).faces)
+      out[static_cast<std::size_t>(f.value)] = &g;
+  return out;
+}
+
+std::vector<TiedEdge> seams_of(const Problem& problem, const Mesh& control) {
+  std::vector<TiedEdge> out;
+  if (problem.seams.empty()) return out;
+  const Adjacency adjacency(control.topology);
+  const double tolerance = 1e-9 * diagonal_of(control);
+  for (const SeamSettings& seam : problem.seams) {
+    std::vector<char> touches(seam.parts.size(), 0);
+    for (std::size_t i = 0; i < seam.parts.size(); ++i)
+      for (std::size_t j = i + 1; j < seam.parts.size(); ++j) {
+        const FaceGroup& a = find_part(problem, control, seam.parts[i], seam.line);
+        const FaceGroup& b = find_part(problem, control, seam.parts[j], seam.line);
+        std::vector<TiedEdge> edges;
+        try {
+          edges = tie_parts(control, adjacency, a, b, tolerance);
+        } catch (const InputError& error) {
+          throw InputError("{}:{}: {}", problem.file.string(), seam.line, error.what());
+        }
+        if (!edges.empty()) touches[i] = touches[j] = 1;
+        out.insert(out.end(), edges.begin(), edges.end());
+      }
+    for (std::size_t i = 0; i < seam.parts.size(); ++i)
+      if (!touches[i])
+        throw InputError(
+            "{}:{}: part '{}' has no boundary edge with both ends on vertices of another "
+            "part of the seam",
+            problem.file.string(), seam.line, seam.parts[i]);
+  }
+  return out;
+}
+
+std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> edges, int levels) {
+  if (edges.empty()) return edges;
+  Mesh mesh = control;
+  for (int level = 0; level < levels; ++level) {
+    edges = split_edges(Adjacency(mesh.topology), std::span<const TiedEdge>(edges));
+    mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+  }
+  return edges;
+}
+
+Mesh refined_on_surfaces(const Problem& problem, Mesh mesh) {
+  require_surfaces(problem, mesh);
+  std::vector<TiedEdge> tied = seams_of(problem, mesh);
+  auto curves = curve_edges(problem, mesh);
+  for (int level = 0;; ++level) {
+    const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+    for (int v = 0; v < mesh.points.size(); ++v)
+      mesh.points[VertexId(v)] =
+          placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
+    if (level == problem.mesh.levels) return mesh;
+    const Adjacency adjacency(mesh.topology);
+    tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
+    for (auto& edges : curves)
+      edges = split_edges(adjacency, std::span<const Edge>(edges));
+    mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+  }
+}
+
+void require_coincident(const Problem& problem, const Mesh& mesh,
+                        const std::vector<TiedEdge>& edges, double diagonal) {
+  for (const TiedEdge& e : edges)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double d = (mesh.points[e.ends[i]] - mesh.points[e.tied[i]]).norm();
+      if (d > 1e-9 * diagonal)
+        throw InputError(
+            "{}:{}: after refinement the tied vertices {} and {} are {:.6g} apart; the boundary "
+            "curves of the parts differ: tag the ends of the seam as corners",
+            problem.file.string(), problem.seams.front().line, e.ends[i].value, e.tied[i].value, d);
+    }
+}
+
+}  // namespace limes

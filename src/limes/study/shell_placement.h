@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "limes/mesh/seams.h"
+#include "limes/study/problem.h"
+
+namespace limes {
+
+/// Of each face the exact surface of its part; none: it has no exact surface.
+/// @throws InputError naming a part that the mesh does not have
+[[nodiscard]] std::vector<const GeometrySettings*> geometry_of_faces(const Problem& problem,
+                                                                     const Mesh& mesh);
+
+/// The edges that the problem's seams tie in the control mesh.
+/// @throws InputError with the seam's line: a part that is not there, a part that touches no other of
+///         its seam, or as tie_parts()
+[[nodiscard]] std::vector<TiedEdge> seams_of(const Problem& problem, const Mesh& control);
+
+/// The same edges after `levels` quadrisections.
+[[nodiscard]] std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> edges,
+                                                  int levels);
+
+/// Vertices halfway between others, then on the exact surface of their part, level by level: on a
+/// seam on those of all parts there, on a [[curve]] on that as well.
+/// @throws InputError for a face without exact surface, or a vertex that cannot be placed
+[[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh);
+
+/// @throws InputError naming two tied vertices of the refined mesh that are not in one place
+void require_coincident(const Problem& problem, const Mesh& mesh,
+                        const std::vector<TiedEdge>& edges, double diagonal);
+
+}  // namespace limes
