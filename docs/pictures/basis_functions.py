@@ -109,8 +109,10 @@ def plot(curves, names, title, x0, y0, width=330, height=120):
         parts.append(drawing.polyline(points, f'fill="none" stroke="{colour}" stroke-width="1.8"'))
         peak = max(range(ALONG), key=lambda u: curve[u])
         shift = 18 if peak == 0 else -18 if peak == ALONG - 1 else 0
-        down = 14 if peak == 0 and curve[0] == 1 else -4
-        parts.append(drawing.text(points[peak][0] + 2 * shift, points[peak][1] + down, name, 11, colour, "middle"))
+        x, y = points[peak][0] + shift, points[peak][1]
+        up = 14 if curve[peak] < 0.5 else 6
+        parts.append(drawing.text(x + shift * (curve[peak] == 1), y - up * (curve[peak] != 1) + 4, name, 11, colour,
+                                  "middle"))
     return parts
 
 
@@ -120,18 +122,18 @@ def surface(values, x, y, colour):
     place = lambda u, v, z: (x + wide * u + slant * v - (wide + slant) / 2, y - back * v - high * z)
     parts = [drawing.polyline([place(0, 0, 0), place(1, 0, 0), place(1, 1, 0), place(0, 1, 0)],
                               f'fill="#f3f5f8" stroke="{drawing.LIGHT}"', closed=True)]
-    thin = f'fill="none" stroke="{colour}" stroke-width="0.6"'
+    moves = lambda lines: " ".join("M" + " ".join(f"{x:.1f},{y:.1f}" for x, y in line) for line in lines)
+    parts.append(f'<g fill="none" stroke="{colour}">')
     behind = None
     for row in reversed(range(ACROSS)):
         v = row / (ACROSS - 1)
         curve = [place(u / (ALONG - 1), v, values[row][u]) for u in range(0, ALONG, STRIDE)]
+        lines = [curve] + ([[a, b] for a, b in zip(behind[::2], curve[::2])] if behind else [])
         skirt = [place(1, v, 0), place(0, v, 0)]
-        if behind:
-            parts += [drawing.polyline([a, b], thin) for a, b in list(zip(behind, curve))[::2]]
+        parts.append(f'<path fill="#fff" fill-opacity="0.72" stroke="none" d="{moves([curve + skirt])}"/>'
+                     f'<path d="{moves(lines)}"/>')
         behind = curve
-        parts.append(drawing.polyline(curve + skirt, 'fill="#ffffff" fill-opacity="0.72" stroke="none"', closed=True))
-        parts.append(drawing.polyline(curve, f'fill="none" stroke="{colour}"'))
-    return parts
+    return parts + ["</g>"]
 
 
 def panel(title, net, values, left, bottom, unit, inside):
