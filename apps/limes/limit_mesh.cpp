@@ -12,9 +12,11 @@ Mesh limit_mesh(const Mesh& mesh, const Scheme& scheme, const RefineOptions& opt
   // dropped last.
   const bool drop = options.boundary == BoundaryRule::none;
   const BoundaryRule rule = drop ? BoundaryRule::edges : options.boundary;
-  Mesh fine = refine(mesh, scheme, {options.levels, rule});
-  const LimitBasis basis(fine.topology, resolve_tags(Adjacency(fine.topology), fine.tags, rule),
-                         scheme);
+  Mesh fine = refine(mesh, scheme,
+                     {.levels = options.levels, .boundary = rule, .weights = options.weights});
+  Features features = resolve_tags(Adjacency(fine.topology), fine.tags, rule);
+  features.weights = options.weights;
+  const LimitBasis basis(fine.topology, std::move(features), scheme);
   fine.points = limit_positions(LimitSurface(basis, fine.points.span()), fine.points.span());
   if (!drop) return fine;
   const std::vector<bool> unsupported = unsupported_faces(Adjacency(mesh.topology), mesh.tags);

@@ -9,7 +9,9 @@ namespace limes::app {
 namespace {
 
 Features features_of(const Mesh& mesh, const SchemeChoice& choice) {
-  return resolve_tags(Adjacency(mesh.topology), mesh.tags, choice.boundary_for(mesh));
+  Features features = resolve_tags(Adjacency(mesh.topology), mesh.tags, choice.boundary_for(mesh));
+  features.weights = choice.weights;
+  return features;
 }
 
 const Scheme& require_limit(const Scheme& scheme, std::string_view file) {

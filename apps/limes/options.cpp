@@ -85,7 +85,7 @@ void add_scheme_options(CLI::App& command, SchemeOptions& options) {
 void add_weights_option(CLI::App& command, std::string& weights) {
   command
       .add_option("--weights", weights,
-                  "at smooth extraordinary vertices, refined but not evaluated [standard]\n"
+                  "at smooth extraordinary vertices [standard]\n"
                   "  quarters           catmull-clark: 1/4, 1/2, 1/4 at every valence\n"
                   "  warren             loop: 3/(8n), and 3/16 at valence 3")
       ->option_text("NAME")
@@ -232,8 +232,6 @@ SchemeChoice choose_scheme(const SchemeOptions& options) {
 void require_limit(const SchemeChoice& choice) {
   if (choice.sector_stencils)
     throw UsageError("--boundary: limits with rule biermann are not evaluated, only refined");
-  if (choice.weights != ExtraordinaryWeights::standard)
-    throw UsageError("--weights: limits are evaluated with standard ones only");
 }
 
 ExtraordinaryWeights parse_weights(const Scheme& scheme, const std::string& text) {

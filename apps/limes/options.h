@@ -59,7 +59,7 @@ struct SchemeChoice {
   QuasiOptions quasi = {};               ///< of quasi-four-eight
   CornerRule corners = CornerRule::by_angle;
   double tension = 1.0;
-  ExtraordinaryWeights weights = ExtraordinaryWeights::standard;  ///< for refinement only
+  ExtraordinaryWeights weights = ExtraordinaryWeights::standard;
 
   /// The rule for a mesh: the user's, else the file's, else creases along the boundary.
   [[nodiscard]] BoundaryRule boundary_for(const Mesh& mesh) const;

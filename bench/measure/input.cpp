@@ -72,11 +72,12 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-JsonLine first_fields(const Args& args, const std::string& method) {
+JsonLine first_fields(const Args& args, const std::string& method, const std::string& in,
+                      const limes::Scheme& scheme) {
   JsonLine line;
   line.add("library", "limes").add("method", method);
-  line.add("scheme", args.get("scheme", "catmull-clark"));
-  line.add("model", model_name(args.get("in", "shape:cube"))).add("variant", "double," + method);
+  line.add("scheme", std::string(scheme.name));
+  line.add("model", model_name(in)).add("variant", "double," + method);
   line.add("threads", args.get("threads", 1));
   return line;
 }

@@ -4,6 +4,7 @@
 
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/features.h"
+#include "limes/subdiv/scheme.h"
 #include "locations.h"
 #include "measure.h"
 
@@ -30,6 +31,7 @@ void use_threads(int threads);
 [[nodiscard]] double median(std::vector<double> values);
 
 /// Fields that every measurement of limes has.
-JsonLine first_fields(const Args& args, const std::string& method);
+JsonLine first_fields(const Args& args, const std::string& method, const std::string& in,
+                      const limes::Scheme& scheme);
 
 }  // namespace bench

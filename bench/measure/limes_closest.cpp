@@ -54,7 +54,8 @@ std::vector<limes::Vec3> make_queries(const limes::Mesh& mesh, const limes::Limi
 }
 
 void run(const Args& args) {
-  const limes::Mesh mesh = load_mesh(args.get("in", "shape:torus:64:32"));
+  const std::string in = args.get("in", "shape:torus:64:32");
+  const limes::Mesh mesh = load_mesh(in);
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
   const auto n = static_cast<std::size_t>(args.get("queries", 1000000));
   const std::string places = args.get("places", "near");
@@ -77,7 +78,7 @@ void run(const Args& args) {
       centroid.add(hit.point.x(), hit.point.y(), hit.point.z());
   }
 
-  JsonLine line = first_fields(args, places);
+  JsonLine line = first_fields(args, places, in, scheme);
   line.add("in_faces", mesh.topology.num_faces()).add("queries", n);
   line.add("seconds_build", build).add("seconds", median(wall));
   line.add("cpu_seconds_build", build_cpu).add("cpu_seconds", median(cpu));

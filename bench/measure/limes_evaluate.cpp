@@ -84,7 +84,8 @@ void evaluate_points(const limes::LimitBasis& basis, std::span<const limes::Vec3
 }
 
 void run(const Args& args) {
-  const limes::Mesh mesh = load_mesh(args.get("in", "shape:torus:64:32"));
+  const std::string in = args.get("in", "shape:torus:64:32");
+  const limes::Mesh mesh = load_mesh(in);
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
   const std::string method = args.get("method", "bulk"), order = args.get("order", "random");
   const int derivatives = args.get("derivatives", 1);
@@ -121,7 +122,7 @@ void run(const Args& args) {
     cpu.push_back(timer.cpu());
   }
 
-  JsonLine line = first_fields(args, method);
+  JsonLine line = first_fields(args, method, in, scheme);
   line.add("order", order).add("in_faces", mesh.topology.num_faces());
   line.add("derivatives", derivatives).add("samples", samples).add("kinds", basis.kinds().size());
   line.add("seconds_build", build).add("seconds", median(wall));

@@ -10,7 +10,8 @@ using namespace bench;
 namespace {
 
 void run(const Args& args) {
-  const limes::Mesh mesh = load_mesh(args.get("in", "shape:torus:1000:1000"));
+  const std::string in = args.get("in", "shape:torus:1000:1000");
+  const limes::Mesh mesh = load_mesh(in);
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "kobbelt"));
   const double share = std::stod(args.get("share", "0.01"));
   const int repeats = args.get("repeats", 3);
@@ -33,7 +34,7 @@ void run(const Args& args) {
     split = forest.refine(marked);
     step.push_back(timer.wall());
   }
-  JsonLine line = first_fields(args, "forest");
+  JsonLine line = first_fields(args, "forest", in, scheme);
   line.add("in_faces", mesh.topology.num_faces())
       .add("levels", levels)
       .add("leaves", leaves)

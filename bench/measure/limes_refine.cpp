@@ -79,7 +79,8 @@ Refined refine_in_general(const limes::Mesh& mesh, const limes::Scheme& scheme, 
 }
 
 void run(const Args& args) {
-  const limes::Mesh mesh = load_mesh(args.get("in", "shape:cube"));
+  const std::string in = args.get("in", "shape:cube");
+  const limes::Mesh mesh = load_mesh(in);
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
   const int levels = args.get("levels", 3);
   const std::string method = args.get("method", "uniform");
@@ -94,7 +95,7 @@ void run(const Args& args) {
   for (int pass = 0; method == "uniform" && pass < (memory == "used" ? 2 : 1); ++pass)
     refine_uniformly(mesh, scheme, levels, result);
 
-  JsonLine line = first_fields(args, method);
+  JsonLine line = first_fields(args, method, in, scheme);
   line.add("memory", memory).add("levels", levels).add("in_faces", mesh.topology.num_faces());
   line.add("out_faces", result.faces).add("out_vertices", result.points.span().size());
   line.add("seconds_topology", result.topology).add("seconds_positions", result.positions);

@@ -38,7 +38,8 @@ Times update_repeatedly(limes::UniformRefinement& refinement, std::vector<limes:
 }
 
 void run(const Args& args) {
-  const limes::Mesh mesh = load_mesh(args.get("in", "shape:cube"));
+  const std::string in = args.get("in", "shape:cube");
+  const limes::Mesh mesh = load_mesh(in);
   const limes::Scheme& scheme = limes::find_scheme(args.get("scheme", "catmull-clark"));
   const int levels = args.get("levels", 3), moved = args.get("moved", 0);
   if (moved < 0 || moved > mesh.topology.num_vertices())
@@ -54,7 +55,7 @@ void run(const Args& args) {
   const Times times = update_repeatedly(refinement, mesh.points.vector(), moved,
                                         args.get("repeats", moved > 0 ? 101 : 5), fine);
 
-  JsonLine line = first_fields(args, "uniform");
+  JsonLine line = first_fields(args, "uniform", in, scheme);
   line.add("levels", levels).add("in_faces", mesh.topology.num_faces()).add("moved", moved);
   line.add("out_faces", refinement.num_faces()).add("out_vertices", fine.size());
   line.add("seconds_build", build).add("seconds_positions", median(times.wall));

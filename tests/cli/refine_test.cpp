@@ -59,6 +59,15 @@ TEST(Refine, LimitOfTheCubeIsKnown) {
     const Mesh mesh = read_mesh(folder / "l.obj").mesh;
     EXPECT_LT((mesh.points[VertexId(0)] - Vec3::Constant(-0.5)).norm(), 1e-14) << levels;
   }
+  // With quarters (4 V + 4 mean of E + mean of F) / 9 for every n: (-4 - 4/3 + 1/3) / 9 = -5/9.
+  for (int levels : {0, 2}) {
+    ASSERT_EQ(refine(data_file("cube.obj"), folder / "q.obj", levels,
+                     {"--limit", "--weights", "quarters"})
+                  .exit_code,
+              0);
+    const Mesh mesh = read_mesh(folder / "q.obj").mesh;
+    EXPECT_LT((mesh.points[VertexId(0)] - Vec3::Constant(-5.0 / 9)).norm(), 1e-14) << levels;
+  }
 }
 
 TEST(Refine, LimitWithoutBoundaryFacesMatchesTheLimitWithThem) {

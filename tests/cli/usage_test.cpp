@@ -56,8 +56,6 @@ TEST(Usage, ChecksEveryValue) {
                  "known are none, edges, edges-and-corners");
   expect_failure(refine("catmull-clark", "1", {"--weights", "warren"}), 2,
                  "known are standard, quarters");
-  expect_failure(refine("catmull-clark", "1", {"--weights", "quarters", "--limit"}), 2,
-                 "--weights: limits are evaluated with standard ones only");
 }
 
 TEST(Usage, AnEmptyValueIsNoValue) {

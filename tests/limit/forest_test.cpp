@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "limes/limit/forest_limits.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/shapes.h"
@@ -11,17 +13,18 @@ namespace {
 
 /// Vertices of Catmull-Clark forests lie where the limit surface of the control mesh is: at the corners
 /// of a leaf, whose place in its control face follows from its path.
-void expect_on_limit(const Mesh& control, const std::vector<FaceAncestry>& marks) {
+void expect_on_limit(const Mesh& control, const std::vector<FaceAncestry>& marks,
+                     const RefineOptions& options = {}) {
   const Scheme& scheme = find_scheme("catmull-clark");
-  const RefineOptions options;
   Forest forest(control, scheme, options, SplitUnit::families, forest_limits(scheme));
   forest.refine(forest.leaves());
-  for (const FaceAncestry& mark : marks)
-    for (const FaceId f : forest.leaves())
-      if (forest.ancestry(f) == mark) {
-        forest.refine(std::vector{f});
-        break;
-      }
+  for (const FaceAncestry& mark : marks) {
+    const std::vector<FaceId> leaves = forest.leaves();
+    const auto leaf = std::find_if(leaves.begin(), leaves.end(),
+                                   [&](FaceId f) { return forest.ancestry(f) == mark; });
+    ASSERT_NE(leaf, leaves.end());
+    forest.refine(std::vector{*leaf});
+  }
   (void)forest_mesh(forest, Closure::conforming);
   const Adjacency adjacency(control.topology);
   const LimitBasis basis(control.topology, control_features(adjacency, control, scheme, options),
@@ -49,7 +52,10 @@ void expect_on_limit(const Mesh& control, const std::vector<FaceAncestry>& marks
 TEST(ForestLimits, LieOnTheLimitSurface) {
   expect_on_limit(shapes::cube(), {{FaceId(0), 1, 0}, {FaceId(0), 2, 0}});
   expect_on_limit(shapes::grid(3, 2), {{FaceId(0), 1, 0}, {FaceId(0), 2, 1}, {FaceId(4), 1, 2}});
-  expect_on_limit(shapes::disk(5, 1), {{FaceId(1), 1, 0}, {FaceId(1), 2, 0}});
+  const std::vector<FaceAncestry> beside_valence_5{{FaceId(1), 1, 0}, {FaceId(1), 2, 0}};
+  expect_on_limit(shapes::disk(5, 1), beside_valence_5);
+  expect_on_limit(shapes::disk(5, 1), beside_valence_5,
+                  {.weights = ExtraordinaryWeights::quarters});
 }
 
 }  // namespace

@@ -54,8 +54,7 @@ Model cut_out(const Model& model, int rings, FaceId& face) {
   }
   face = new_face;
   out.topology = Topology(static_cast<int>(out.points.size()), offsets, corners);
-  out.features.crease_method = model.features.crease_method;
-  out.features.smooth_triangles = model.features.smooth_triangles;
+  static_cast<RuleOptions&>(out.features) = model.features;
   for (const SharpVertex& v : model.features.vertices)
     if (new_vertex[static_cast<std::size_t>(v.vertex.value)] >= 0)
       out.features.vertices.push_back(

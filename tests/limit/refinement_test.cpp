@@ -29,9 +29,7 @@ std::vector<Vec2> sample_points(std::mt19937& random, bool triangle) {
   return points;
 }
 
-TEST_P(LimitOf, EqualsDeepRefinement) {
-  const Scheme& scheme = find_scheme(GetParam().scheme);
-  const Model model = make_model(GetParam().mesh, GetParam().boundary);
+void expect_equals_deep_refinement(const Model& model, const Scheme& scheme) {
   const LimitBasis basis(model.topology, model.features, scheme);
   const LimitSurface surface(basis, model.points);
   std::mt19937 random(1998);
@@ -54,11 +52,14 @@ TEST_P(LimitOf, EqualsDeepRefinement) {
   }
 }
 
+TEST_P(LimitOf, EqualsDeepRefinement) {
+  expect_equals_deep_refinement(make_model(GetParam().mesh, GetParam().boundary),
+                                find_scheme(GetParam().scheme));
+}
+
 /// One point at a time and in bulk.
-class CatmullClarkLimitOf : public LimitOf {};
-TEST_P(CatmullClarkLimitOf, HasTheTangentsOfDeepRefinement) {
+void expect_tangents_of_deep_refinement(const Model& model) {
   const Scheme& scheme = find_scheme("catmull-clark");
-  const Model model = make_model(GetParam().mesh, GetParam().boundary);
   const LimitBasis basis(model.topology, model.features, scheme);
   const LimitSurface surface(basis, model.points);
   const BulkEvaluator bulk(basis, model.points);
@@ -86,6 +87,41 @@ TEST_P(CatmullClarkLimitOf, HasTheTangentsOfDeepRefinement) {
     }
   }
   EXPECT_GE(compared, 3);
+}
+
+class CatmullClarkLimitOf : public LimitOf {};
+TEST_P(CatmullClarkLimitOf, HasTheTangentsOfDeepRefinement) {
+  expect_tangents_of_deep_refinement(make_model(GetParam().mesh, GetParam().boundary));
+}
+
+/// Those with a smooth extraordinary vertex, or a dart.
+bool has_other_weights(const Shape& shape) {
+  for (const char* name : {"interior3", "interior5", "interior8", "dart5_4", "cube", "icosahedron",
+                           "mixed_polygons", "random_cube0", "random_icosahedron0"})
+    if (shape.name == name) return true;
+  return false;
+}
+
+TEST(LimitWithOtherWeights, EqualsDeepRefinement) {
+  int compared = 0;
+  for (const Shape& shape : limit_shapes()) {
+    if (!has_other_weights(shape)) continue;
+    SCOPED_TRACE(shape.name);
+    Model model = make_model(shape.mesh, shape.boundary);
+    model.features.weights = ExtraordinaryWeights::quarters;
+    expect_equals_deep_refinement(model, find_scheme("catmull-clark"));
+    expect_tangents_of_deep_refinement(model);
+    ++compared;
+  }
+  for (const Shape& shape : loop_shapes()) {
+    if (!has_other_weights(shape)) continue;
+    SCOPED_TRACE(shape.name);
+    Model model = make_model(shape.mesh, shape.boundary);
+    model.features.weights = ExtraordinaryWeights::warren;
+    expect_equals_deep_refinement(model, find_scheme("loop"));
+    ++compared;
+  }
+  EXPECT_GE(compared, 12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Zoo, LimitOf, testing::ValuesIn(limit_shapes()),

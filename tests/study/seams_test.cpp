@@ -77,15 +77,18 @@ TEST(ShellSeam, CylinderOnAPlate) {
   }
 }
 
-const std::string frame = R"([mesh]
+/// EI = 1 per width.
+const std::string thin = R"([mesh]
 file = "m.obj"
 scheme = "linear"
 [model]
 kind = "mitc4"
 [material]
 young = 12e6
-poisson = 0.3
 thickness = 0.01
+)";
+
+const std::string frame = thin + R"(poisson = 0.3
 [[support]]
 where = "x == 0"
 kind = "clamped"
@@ -161,15 +164,7 @@ Mesh tee(int n) {
 // force H on the end of the wall moves it by H/3 + H/8 (the floor resists with 4 EI on each side), and
 // a force P along the wall sinks the joint by P/24.
 TEST(ShellSeam, TJunctionSharesRotation) {
-  const std::string text = R"([mesh]
-file = "m.obj"
-scheme = "linear"
-[model]
-kind = "mitc4"
-[material]
-young = 12e6
-poisson = 0
-thickness = 0.01
+  const std::string text = thin + R"(poisson = 0
 [[support]]
 where = "abs(x) == 1"
 kind = "clamped"

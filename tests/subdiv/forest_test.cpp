@@ -239,6 +239,32 @@ TEST(Forest, HangingVerticesAreMiddles) {
     EXPECT_EQ(x[h.vertex], 0.5 * (x[h.ends[0]] + x[h.ends[1]]));
 }
 
+/// The face fields of a mesh whose faces are the leaves say which face of uniform refinement each is.
+TEST(Forest, FaceFieldsNameTheFaceOfUniformRefinement) {
+  const Mesh control = shaken(shapes::disk(5, 2));
+  const std::vector<Mesh> uniform = uniform_levels(control, kobbelt(), 3);
+  Forest forest(control, kobbelt(), {}, SplitUnit::faces);
+  forest.refine(std::array{FaceId(3)});
+  forest.refine(std::array{leaf_at(forest, {FaceId(3), 1, 2})});
+  forest.refine(std::array{leaf_at(forest, {FaceId(3), 2, 9})});
+  const Mesh mesh = forest_mesh(forest, Closure::hanging).mesh;
+  ASSERT_EQ(mesh.face_fields.size(), 3U);
+  const auto value = [&](std::size_t field, int f) {
+    return mesh.face_fields[field].values[static_cast<std::size_t>(f)];
+  };
+  int finest = 0;
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    const int level = static_cast<int>(value(1, f));
+    const Mesh& fine = uniform[static_cast<std::size_t>(level)];
+    const FaceId number((value(0, f) << (2 * level)) + value(2, f));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(mesh.points[mesh.topology.face(FaceId(f))[i]],
+                fine.points[fine.topology.face(number)[i]]);
+    finest += level == 3 ? 1 : 0;
+  }
+  EXPECT_EQ(finest, 4);
+}
+
 /// Groups and holes are the faces below theirs, whatever closes the mesh; a crease stays whole.
 TEST(Forest, HandsDownNamesThroughEveryClosure) {
   Mesh control = shapes::grid(3, 3);

@@ -226,4 +226,35 @@ int Adjacency::num_ring_faces(VertexId v) const {
   return count;
 }
 
+namespace {
+
+/// Looks for the other end of an edge around one of its ends, face by face.
+struct RingSearch {
+  const Adjacency& adjacency;
+  VertexId other;
+  HalfedgeId start, at = start;
+
+  /// The edge if the next face has it, as an invalid halfedge if not. Precondition: at is valid.
+  HalfedgeId step() {
+    if (adjacency.to(at) == other) return at;
+    const HalfedgeId in = adjacency.prev(at);
+    if (adjacency.from(in) == other) return in;
+    at = adjacency.ring_next(at);
+    if (at == start) at = {};
+    return {};
+  }
+};
+
+}  // namespace
+
+HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
+  RingSearch around_a{adjacency, b, adjacency.ring_start(a)};
+  RingSearch around_b{adjacency, a, adjacency.ring_start(b)};
+  while (around_a.at.valid() && around_b.at.valid())
+    for (RingSearch* search : {&around_a, &around_b})
+      if (const HalfedgeId h = search->step(); h.valid())
+        return adjacency.halfedge(adjacency.edge(h));
+  return {};
+}
+
 }  // namespace limes

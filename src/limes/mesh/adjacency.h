@@ -71,6 +71,11 @@ class Adjacency {
   IdArray<VertexId, HalfedgeId> ring_start_;
 };
 
+/// First halfedge of the edge between a and b, or an invalid one. Both ends are searched in turn: what
+/// it costs is the smaller of the two valences, and the creases of a mesh with one large fan take
+/// linear time.
+[[nodiscard]] HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b);
+
 /// Face of every halfedge.
 [[nodiscard]] IdArray<HalfedgeId, FaceId> faces_of_halfedges(const Topology& topology);
 

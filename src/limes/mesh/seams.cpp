@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "limes/core/error.h"
@@ -27,11 +26,6 @@ struct Rim {
         edges.push_back({adjacency.from(h), adjacency.to(h)});
         vertices.insert(edges.back().begin(), edges.back().end());
       }
-  }
-  [[nodiscard]] bool has(const Edge& e) const {
-    return std::any_of(edges.begin(), edges.end(), [&](const Edge& other) {
-      return other == e || other == Edge{e[1], e[0]};
-    });
   }
 };
 
@@ -81,19 +75,8 @@ std::map<VertexId, VertexId> partners(const Mesh& mesh, const FaceGroup& from_pa
 
 /// Vertex in the middle of the edge between two vertices.
 VertexId middle(const Adjacency& coarse, const Edge& e) {
-  const HalfedgeId start = coarse.ring_start(e[0]);
-  HalfedgeId last;
-  for (HalfedgeId h = start; h.valid();) {
-    if (coarse.to(h) == e[1])
-      return VertexId(coarse.topology().num_vertices() + coarse.edge(h).value);
-    last = h;
-    h = coarse.ring_next(h);
-    if (h == start) break;
-  }
-  const HalfedgeId in =
-      coarse.prev(last);  // the ring of a boundary vertex ends with an edge inwards
-  LIMES_ASSERT(coarse.from(in) == e[1]);
-  return VertexId(coarse.topology().num_vertices() + coarse.edge(in).value);
+  const HalfedgeId h = find_edge(coarse, e[0], e[1]);
+  return VertexId(coarse.topology().num_vertices() + coarse.edge(h).value);
 }
 
 }  // namespace
@@ -103,12 +86,14 @@ std::vector<TiedEdge> tie_parts(const Mesh& mesh, const Adjacency& adjacency,
   const Rim a(adjacency, first), b(adjacency, second);
   const auto to_b = partners(mesh, first, a, second, b, tolerance);
   (void)partners(mesh, second, b, first, a, tolerance);
+  const std::set<Edge> edges_of_b(b.edges.begin(), b.edges.end());
   std::vector<TiedEdge> out;
   for (const Edge& e : a.edges) {
     const auto p = to_b.find(e[0]), q = to_b.find(e[1]);
     if (p == to_b.end() || q == to_b.end()) continue;
     const Edge other{p->second, q->second};
-    if (other != e && b.has(other)) out.push_back({e, other});
+    const bool is_edge = edges_of_b.contains(other) || edges_of_b.contains({other[1], other[0]});
+    if (other != e && is_edge) out.push_back({e, other});
   }
   return out;
 }

@@ -20,8 +20,9 @@ struct TiedEdge {
 /// Where two parts with vertices of their own share a boundary polygon.
 /// @param tolerance  largest distance between vertices that are tied
 /// @return in order of the first part's halfedges
-/// @throws InputError if a vertex of one part lies on a boundary edge of the other and no vertex of that
-///         is there: names the parts, the vertex and its distance from the nearest
+/// @throws InputError if a vertex of one part lies on or near (2 % of its length) a boundary edge of the
+///         other and no vertex of that is there: names the parts, the vertex and its distance from
+///         the nearest
 [[nodiscard]] std::vector<TiedEdge> tie_parts(const Mesh& mesh, const Adjacency& adjacency,
                                               const FaceGroup& first, const FaceGroup& second,
                                               double tolerance);

@@ -11,7 +11,8 @@
 namespace limes {
 
 /// A shell problem on its mesh of four-node elements: what was read, refined, placed, selected.
-/// Unknown 6 v + i, v = node of a vertex, is displacement i of vertex v, 6 v + 3 + i its rotation about axis i.
+/// Unknown 6 n + i is displacement i of the vertices v with node[v] == n, 6 n + 3 + i their rotation
+/// about axis i.
 struct ShellModel {
   Problem problem;
   Mesh control;                          ///< as in the file

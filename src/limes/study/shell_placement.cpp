@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
+#include "limes/mesh/measure.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/selection.h"
 #include "limes/study/suggest.h"
@@ -27,13 +28,6 @@ const FaceGroup& find_part(const Problem& problem, const Mesh& mesh, const std::
                      problem.file.string(), line, name);
   throw InputError("{}:{}: there is no part '{}'; {}", problem.file.string(), line, name,
                    suggest(name, names));
-}
-
-double diagonal_of(const Mesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& x : mesh.points)
-    box.extend(x);
-  return box.diagonal().norm();
 }
 
 void add_once(Surfaces& all, const GeometrySettings* one) {
@@ -116,7 +110,7 @@ std::vector<TiedEdge> seams_of(const Problem& problem, const Mesh& control) {
   std::vector<TiedEdge> out;
   if (problem.seams.empty()) return out;
   const Adjacency adjacency(control.topology);
-  const double tolerance = 1e-9 * diagonal_of(control);
+  const double tolerance = 1e-9 * bounding_box(control).diagonal();
   for (const SeamSettings& seam : problem.seams) {
     std::vector<char> touches(seam.parts.size(), 0);
     for (std::size_t i = 0; i < seam.parts.size(); ++i)

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
 #include "limes/core/error.h"
+#include "limes/mesh/pieces.h"
 #include "limes/study/selection.h"
 
 namespace limes {
@@ -147,27 +147,16 @@ std::optional<Vec3> plane_normal(const ShellModel& model, const std::vector<Edge
 /// Number of the connected piece of the mesh of every vertex, -1 without a face.
 std::vector<int> pieces(const ShellModel& model) {
   const Topology& t = model.mesh->topology;
-  std::vector<int> root(static_cast<std::size_t>(t.num_vertices()));
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int v) {
-    while (root[static_cast<std::size_t>(v)] != v) {
-      auto& up = root[static_cast<std::size_t>(v)];
-      v = up = root[static_cast<std::size_t>(up)];
-    }
-    return v;
-  };
+  DisjointSets sets(t.num_vertices());
   for (int f = 0; f < t.num_faces(); ++f)
-    for (const VertexId v : t.face(FaceId(f))) {
-      const int a = find(t.face(FaceId(f))[0].value), b = find(v.value);
-      root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-  for (int v = 0; v < t.num_vertices(); ++v) {
-    const int a = find(v), b = find(model.node[VertexId(v)].value);
-    root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
+    for (const VertexId v : t.face(FaceId(f)))
+      sets.join(t.face(FaceId(f))[0].value, v.value);
+  for (int v = 0; v < t.num_vertices(); ++v)
+    sets.join(v, model.node[VertexId(v)].value);
+  std::vector<int> root(static_cast<std::size_t>(t.num_vertices()));
   for (int v = 0; v < t.num_vertices(); ++v)
     root[static_cast<std::size_t>(v)] =
-        model.adjacency->ring_start(VertexId(v)).valid() ? find(v) : -1;
+        model.adjacency->ring_start(VertexId(v)).valid() ? sets.find(v) : -1;
   return root;
 }
 

@@ -32,8 +32,8 @@ void smooth_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
   out.add(w, v.faces);
 }
 
-/// Q/4 + R/2 + S/4 for every n: mean of the new face points, of the middles of edges, and V. The first rule
-/// of [catmull_clark_1978]; the standard one agrees at n = 4.
+/// Q/4 + R/2 + S/4 for every n: mean of the new face points, of the middles of edges, and V. The
+/// first rule of [catmull_clark_1978]; the standard one agrees at n = 4.
 void quarters_vertex(const VertexNeighbourhood& v, double scale, Stencil& out) {
   const double w = scale * (0.25 / static_cast<double>(v.faces.size()));
   out.add(scale * 0.5, v.vertex);

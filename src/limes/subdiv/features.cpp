@@ -10,23 +10,6 @@
 namespace limes {
 namespace {
 
-/// Looks for the other end of an edge around one of its ends, face by face.
-struct RingSearch {
-  const Adjacency& adjacency;
-  VertexId other;
-  HalfedgeId start, at = start;
-
-  /// The edge if the next face has it, as an invalid halfedge if not. Precondition: at is valid.
-  HalfedgeId step() {
-    if (adjacency.to(at) == other) return at;
-    const HalfedgeId in = adjacency.prev(at);
-    if (adjacency.from(in) == other) return in;
-    at = adjacency.ring_next(at);
-    if (at == start) at = {};
-    return {};
-  }
-};
-
 void require_vertex(const Adjacency& adjacency, VertexId v, const char* tag) {
   const int n = adjacency.topology().num_vertices();
   if (v.value < 0 || v.value >= n)
@@ -49,16 +32,6 @@ void sort_and_merge(std::vector<SharpEdge>& edges) {
 }
 
 }  // namespace
-
-HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b) {
-  RingSearch around_a{adjacency, b, adjacency.ring_start(a)};
-  RingSearch around_b{adjacency, a, adjacency.ring_start(b)};
-  while (around_a.at.valid() && around_b.at.valid())
-    for (RingSearch* search : {&around_a, &around_b})
-      if (const HalfedgeId h = search->step(); h.valid())
-        return adjacency.halfedge(adjacency.edge(h));
-  return {};
-}
 
 Features resolve_tags(const Adjacency& adjacency, const Tags& tags, BoundaryRule boundary) {
   Features features;

@@ -57,11 +57,6 @@ struct Features : RuleOptions {
   }
 };
 
-/// First halfedge of the edge between a and b, or an invalid one. Both ends are searched in turn: what
-/// it costs is the smaller of the two valences, and the creases of a mesh with one large fan take
-/// linear time.
-[[nodiscard]] HalfedgeId find_edge(const Adjacency& adjacency, VertexId a, VertexId b);
-
 /// Resolves a mesh's tags. With edges_and_corners, boundary vertices with one face become corners.
 /// @throws InputError for a crease tag on a pair of vertices that no edge joins, or a vertex that
 ///         does not exist

@@ -120,9 +120,9 @@ std::vector<FaceId> Forest::family(FaceId f) const {
   return {FaceId(first), FaceId(first + 1), FaceId(first + 2), FaceId(first + 3)};
 }
 
-void Forest::request(FaceId f, Levels& wanted, std::unordered_map<std::int32_t, bool>& seen) const {
+void Forest::request(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const {
   for (const FaceId g : family(f)) {
-    if (face(g).split || !seen.try_emplace(g.value, true).second) continue;
+    if (face(g).split || !seen.insert(g.value).second) continue;
     const auto level = static_cast<std::size_t>(face(g).level);
     if (wanted.size() <= level) wanted.resize(level + 1);
     wanted[level].push_back(g);
@@ -133,7 +133,7 @@ void Forest::request(FaceId f, Levels& wanted, std::unordered_map<std::int32_t, 
 /// Before g can be split, all faces around its corners must exist on its level: those that its
 /// parent's neighbours become.
 void Forest::request_around(FaceId g, Levels& wanted,
-                            std::unordered_map<std::int32_t, bool>& seen) const {
+                            std::unordered_set<std::int32_t>& seen) const {
   const FaceId parent = face(g).parent;
   if (!parent.valid()) return;
   // Whatever shares a corner or a middle of a side with g has the corner of the parent that g is at.
@@ -144,7 +144,7 @@ void Forest::request_around(FaceId g, Levels& wanted,
 
 int Forest::refine(std::span<const FaceId> leaves) {
   Levels wanted;
-  std::unordered_map<std::int32_t, bool> seen;
+  std::unordered_set<std::int32_t> seen;
   for (const FaceId f : leaves) {
     LIMES_ASSERT(exists(f) && !face(f).split);
     if (face(f).level == max_level)

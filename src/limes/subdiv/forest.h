@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "limes/mesh/mesh.h"
@@ -100,8 +101,8 @@ class Forest {
   /// Faces that were made, whether they exist now or not.
   template <class Visit>
   void for_each_made_at(int level, VertexId v, const Visit& visit) const;
-  void request(FaceId f, Levels& wanted, std::unordered_map<std::int32_t, bool>& seen) const;
-  void request_around(FaceId f, Levels& wanted, std::unordered_map<std::int32_t, bool>& seen) const;
+  void request(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
+  void request_around(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
   [[nodiscard]] std::vector<FaceId> family(FaceId f) const;
   void add_neighbours(std::vector<FaceId>& patch) const;
   void sort_unique(std::vector<FaceId>& faces) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "limes/core/error.h"
 
@@ -44,7 +45,7 @@ class RootPairing {
   /// of quads without boundary are even in number.
   void pair(FaceId start) {
     std::vector<Step> steps{{start, HalfedgeId(), -1}};
-    std::unordered_map<std::int32_t, bool> seen{{start.value, true}};
+    std::unordered_set<std::int32_t> seen{start.value};
     for (std::size_t k = 0; k < steps.size(); ++k)
       for (int i = 0; i < 4; ++i) {
         const HalfedgeId h = adjacency_->topology().halfedge(steps[k].face, i);
@@ -54,7 +55,7 @@ class RootPairing {
           return toggle_path(steps, static_cast<int>(k));
         }
         const FaceId next = adjacency_->face(twin);
-        if (forest_->is_split(next) || !seen.try_emplace(next.value, true).second) continue;
+        if (forest_->is_split(next) || !seen.insert(next.value).second) continue;
         steps.push_back({next, h, static_cast<int>(k)});
         if (is_odd(next)) return toggle_path(steps, static_cast<int>(steps.size()) - 1);
       }

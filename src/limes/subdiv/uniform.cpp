@@ -27,8 +27,7 @@ struct UniformRefinement::GeneralStep {
 };
 
 UniformRefinement::UniformRefinement(const Adjacency& control, const Features& features,
-                                     const Scheme& scheme, int levels)
-    : control_(&control) {
+                                     const Scheme& scheme, int levels) {
   LIMES_ASSERT(levels >= 1);
   const Adjacency* parent = &control;
   Features current = features;

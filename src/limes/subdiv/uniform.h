@@ -47,7 +47,6 @@ class UniformRefinement {
  private:
   struct GeneralStep;
 
-  const Adjacency* control_;
   std::vector<std::unique_ptr<GeneralStep>> general_;
   std::unique_ptr<GridRefinement> structured_;
 };
