@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "limes/mesh/adjacency.h"
+#include "limes/mesh/mesh.h"
+
+namespace limes {
+
+/// Where the vertices of a mesh may go.
+struct Sliding {
+  /// Of a vertex at x the unit directions, orthogonal to each other, in which it may move: as columns,
+  /// two on a surface, one on a curve, none if it stays.
+  std::function<Eigen::Matrix<double, 3, Eigen::Dynamic>(VertexId v, const Vec3& x)> directions;
+  /// The place near x that it may take.
+  std::function<Vec3(VertexId v, const Vec3& x)> placed;
+};
+
+struct SmoothingResult {
+  int sweeps = 0;
+  double worst_before = 0, worst_after = 0;  ///< largest distortion of a corner
+};
+
+/// Distortion of a quad's corner with the sides a and b: (|a|^2 + |b|^2) / (2 a x b . n), the condition
+/// number of the corner's Jacobian [knupp_2000]: 1 for a square, above in any other corner, infinite
+/// if it is flat or turned over.
+[[nodiscard]] double corner_distortion(const Vec3& a, const Vec3& b, const Vec3& normal);
+
+/// Largest distortion of any corner, seen along the normals of the faces.
+[[nodiscard]] double worst_distortion(const Mesh& quads);
+
+/// Optimises the shapes of elements: moves each vertex in turn so that the sum of the distortions of
+/// the corners that it is part of becomes less, by a Newton step in its directions, shortened until it
+/// does. So no sum grows and no corner turns over; vertices of corners that are turned over stay.
+/// Ends after `sweeps` rounds, or when no vertex moves by a thousandth of its longest side.
+///
+/// @param node  the lowest vertex that each is tied to, which move together; see tied_nodes()
+/// Serial, in order of the vertices: the result does not depend on threads.
+/// @pre all faces are quads
+SmoothingResult improve_shapes(Mesh& quads, const IdArray<VertexId, VertexId>& node,
+                               const Sliding& sliding, int sweeps);
+
+}  // namespace limes
