@@ -1,5 +1,6 @@
 #include "limes/study/exact_surface.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -130,6 +131,17 @@ Vec3 project(const GeometrySettings& surface, const Vec3& x) {
   }
   const Vec3 d = arm(surface, x);
   return x + (surface.radius / d.norm() - 1) * d;
+}
+
+Eigen::Matrix<double, 3, Eigen::Dynamic> directions_on(
+    std::span<const GeometrySettings* const> surfaces, const Vec3& x) {
+  Eigen::Matrix<double, 3, Eigen::Dynamic> normals(3, static_cast<Eigen::Index>(surfaces.size()));
+  for (Eigen::Index i = 0; i < normals.cols(); ++i)
+    normals.col(i) = residual(*surfaces[static_cast<std::size_t>(i)], x).gradient;
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 3, Eigen::Dynamic>> qr(normals);
+  qr.setThreshold(1e-6);
+  const Mat3 Q = qr.householderQ();
+  return Q.rightCols(3 - qr.rank());
 }
 
 Vec3 outward_normal(const GeometrySettings& surface, const Vec3& x) {

@@ -17,6 +17,11 @@ namespace limes {
 /// @throws InputError "what" if they do not meet near x
 [[nodiscard]] Vec3 project(std::span<const GeometrySettings* const> surfaces, const Vec3& x);
 
+/// Unit vectors along all surfaces at once, orthogonal to each other, as columns: two for one surface,
+/// one along a curve, none at a point. Surfaces that touch at x count as one.
+[[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> directions_on(
+    std::span<const GeometrySettings* const> surfaces, const Vec3& x);
+
 /// Unit normal at (or above) a point, away from the axis or centre, or to where a formula grows.
 [[nodiscard]] Vec3 outward_normal(const GeometrySettings& surface, const Vec3& x);
 
