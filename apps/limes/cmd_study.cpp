@@ -9,6 +9,7 @@
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/study/approximation_study.h"
+#include "limes/study/refinement_study.h"
 #include "memory.h"
 #include "run.h"
 #include "table.h"
@@ -23,7 +24,15 @@ struct StudyCommand {
   RunOptions run;
 
   void operator()() const;
+  void study_approximation(const toml::table& document) const;
+  void study_refinement(const toml::table& document) const;
 };
+
+void print_timed(nlohmann::ordered_json object, const Run& current) {
+  object["seconds"] = current.seconds();
+  object["peak_memory"] = peak_memory();
+  print_object(object);
+}
 
 std::string text_table(const ErrorTable& table) {
   std::vector<std::string> head{"h"};
@@ -57,46 +66,75 @@ nlohmann::ordered_json json_table(const ErrorTable& table) {
   return {{"h", table.h}, {"errors", std::move(columns)}};
 }
 
-void StudyCommand::operator()() const {
+void write_files(const std::filesystem::path& folder, const std::vector<ReportFile>& all) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw OutputError("{}: {}", folder.string(), error.message());
+  AtomicFiles files;
+  for (const ReportFile& file : all)
+    files.add(folder / file.name).write(file.bytes);
+  files.commit();
+}
+
+void StudyCommand::study_approximation(const toml::table& document) const {
   const Run current(run);
-  const ApproximationStudy plan = read_approximation_study(study);
+  const ApproximationStudy plan = read_approximation_study(document, study);
   ErrorTable table;
   {
     const Progress progress(fmt::format("studying {}", study.string()));
     table = limes::run(plan);
   }
-  if (!output.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(output, error);
-    if (error) throw OutputError("{}: {}", output.string(), error.message());
-    AtomicFile file(output / "table.csv");
-    file.write(to_csv(table));
-    file.commit();
-  }
+  if (!output.empty()) write_files(output, {{"table.csv", to_csv(table)}});
   if (run.json) {
-    nlohmann::ordered_json object = json_table(table);
-    object["seconds"] = current.seconds();
-    object["peak_memory"] = peak_memory();
-    print_object(object);
+    print_timed(json_table(table), current);
     return;
   }
   print((plan.title.empty() ? "" : plan.title + "\n") + text_table(table));
+}
+
+void StudyCommand::study_refinement(const toml::table& document) const {
+  const Run current(run);
+  const RefinementStudy plan = read_refinement_study(document, study);
+  std::optional<Progress> progress;
+  const std::vector<RefinementCurve> curves = limes::run(
+      plan, [&](const std::string& name) { progress.emplace(fmt::format("solving {}", name)); });
+  progress.reset();
+  if (!output.empty()) write_files(output, study_files(plan, curves));
+  if (run.json) {
+    print_timed(to_json(plan, curves), current);
+    return;
+  }
+  const Table table = to_table(plan, curves);
+  std::vector<std::vector<std::string>> rows{table.header};
+  rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+  print((plan.title.empty() ? "" : plan.title + "\n") + format_table(rows));
+}
+
+void StudyCommand::operator()() const {
+  const toml::table document = parse_toml(read_toml_text(study), study);
+  if (document.contains("refinement"))
+    study_refinement(document);
+  else
+    study_approximation(document);
 }
 
 }  // namespace
 
 void add_study(CLI::App& program) {
   const auto command = std::make_shared<StudyCommand>();
-  CLI::App& app =
-      *program.add_subcommand("study", "Measure errors by step width, beside published ones");
+  CLI::App& app = *program.add_subcommand(
+      "study", "Measure errors by step width or strategy, beside published ones");
   app.add_option("STUDY", command->study, "Study to read, .toml")->required()->option_text(" ");
-  app.add_option("-o,--output", command->output, "Folder to write table.csv into")
+  app.add_option("-o,--output", command->output,
+                 "Folder to write the table, plots and pictures into")
       ->option_text("DIR")
       ->group(files_group);
   add_run_options(app, command->run);
   app.footer(
-      "Studies so far: [approximation] of a graph or a sphere by the scheme kobbelt.\n\n"
-      "  limes study data/graph_study.toml");
+      "Studies: [approximation] of a graph or a sphere by the scheme kobbelt; [refinement] of a "
+      "shell by several strategies.\n\n"
+      "  limes study data/graph_study.toml\n"
+      "  limes study data/hole_study.toml -o DIR");
   app.final_callback([command] { (*command)(); });
 }
 

@@ -8,65 +8,10 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/suggest.h"
-#include "limes/study/toml_document.h"
+#include "limes/study/toml_keys.h"
 
 namespace limes {
 namespace {
-
-/// The keys of a table, taken one by one; what is left is not known.
-class Keys {
- public:
-  Keys(const toml::table& table, std::string name, std::string file)
-      : table_(&table), name_(std::move(name)), file_(std::move(file)) {}
-
-  [[noreturn]] void fail(const toml::node& at, const std::string& what) const {
-    throw InputError("{}:{}: {}", file_, at.source().begin.line, what);
-  }
-
-  const toml::node* take(std::string_view key) {
-    known_.push_back(key);
-    return table_->get(key);
-  }
-
-  double number(std::string_view key, double initial, double low, double high) {
-    const toml::node* const node = take(key);
-    if (!node) return initial;
-    const auto value = node->value<double>();
-    if (!node->is_number() || !(*value >= low && *value <= high))
-      fail(*node, fmt::format("{}{} must be a number from {} to {:.6g}", name_, key, low, high));
-    return *value;
-  }
-
-  int integer(std::string_view key, int initial, int low, int high) {
-    const toml::node* const node = take(key);
-    if (!node) return initial;
-    const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < low || *value > high)
-      fail(*node, fmt::format("{}{} must be a whole number from {} to {}", name_, key, low, high));
-    return static_cast<int>(*value);
-  }
-
-  std::string text(std::string_view key, std::string initial) {
-    const toml::node* const node = take(key);
-    if (!node) return initial;
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(*node, fmt::format("{}{} must be text", name_, key));
-    return *value;
-  }
-
-  void require_no_others() const {
-    for (auto&& [key, value] : *table_)
-      if (std::find(known_.begin(), known_.end(), key.str()) == known_.end())
-        fail(value,
-             fmt::format("there is no key {}{}; {}", name_, key.str(), suggest(key.str(), known_)));
-  }
-
- private:
-  const toml::table* table_;
-  std::string name_, file_;
-  std::vector<std::string_view> known_;
-};
 
 using Surface = ApproximationStudy::Surface;
 
@@ -78,9 +23,9 @@ const std::vector<double> sphere_total{5.36e-3, 4.02e-4, 3.12e-5, 2.46e-6};
 
 }  // namespace
 
-ApproximationStudy read_approximation_study(const std::filesystem::path& file) {
-  const toml::table document = parse_toml(read_toml_text(file), file);
-  Keys top(document, "", file.string());
+ApproximationStudy read_approximation_study(const toml::table& document,
+                                            const std::filesystem::path& file) {
+  TomlKeys top(document, "", file.string());
   ApproximationStudy study;
   study.title = top.text("title", "");
   const toml::node* const node = top.take("approximation");
@@ -89,7 +34,7 @@ ApproximationStudy read_approximation_study(const std::filesystem::path& file) {
     throw InputError("{}: [approximation] is missing: what the study is about", file.string());
   if (!node->is_table()) top.fail(*node, "[approximation] must be a table");
 
-  Keys keys(*node->as_table(), "[approximation] ", file.string());
+  TomlKeys keys(*node->as_table(), "[approximation] ", file.string());
   const toml::node* const surface = keys.take("surface");
   const std::string name = keys.text("surface", "");
   if (name != "graph" && name != "sphere")

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "limes/study/approximation.h"
+#include "limes/study/toml_document.h"
 
 namespace limes {
 
-// `limes study` on a file with the table [approximation]: docs/studies.md.
+// `limes study` on a file with the table [approximation]: docs/command-line.md.
 
 struct ApproximationStudy {
   enum class Surface { graph, sphere };
@@ -19,7 +20,8 @@ struct ApproximationStudy {
 };
 
 /// @throws InputError "FILE:LINE: what" for unknown keys and values out of range
-[[nodiscard]] ApproximationStudy read_approximation_study(const std::filesystem::path& file);
+[[nodiscard]] ApproximationStudy read_approximation_study(const toml::table& document,
+                                                          const std::filesystem::path& file);
 
 /// One error by step width, beside what the paper prints.
 struct ErrorColumn {

@@ -15,10 +15,15 @@ using PhaseCallback = std::function<void(std::string_view phase)>;
 [[nodiscard]] PlaneResult run_problem(const Problem& problem, const ModelOptions& options = {},
                                       const PhaseCallback& on_phase = {});
 
+/// Called with the solution of every step, or the only one.
+using ShellStepCallback =
+    std::function<void(const ShellModel& model, const ShellSolution& solution)>;
+
 /// The same for a shell, [model] kind = "mitc4".
 [[nodiscard]] ShellResult run_shell_problem(const Problem& problem,
                                             const ModelOptions& options = {},
-                                            const PhaseCallback& on_phase = {});
+                                            const PhaseCallback& on_phase = {},
+                                            const ShellStepCallback& on_step = {});
 
 /// The same for [model] kind = "poisson".
 [[nodiscard]] PoissonResult run_poisson_problem(const Problem& problem,

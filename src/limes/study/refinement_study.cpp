@@ -1,0 +1,118 @@
+#include "limes/study/refinement_study.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "limes/core/error.h"
+#include "limes/study/run.h"
+#include "limes/study/toml_keys.h"
+
+namespace limes {
+namespace {
+
+constexpr double any = std::numeric_limits<double>::max();
+
+RefinementStrategy read_strategy(const toml::table& table, const RefinementStudy& study,
+                                 const std::filesystem::path& usual_problem,
+                                 const std::filesystem::path& file) {
+  TomlKeys keys(table, "[[strategy]] ", file.string());
+  RefinementStrategy out;
+  out.name = keys.text("name", "");
+  if (out.name.empty()) keys.fail("[[strategy]] name is missing");
+  for (const RefinementStrategy& other : study.strategies)
+    if (other.name == out.name)
+      keys.fail(fmt::format("there are two strategies '{}'; names must differ", out.name));
+  const std::string problem = keys.text("problem", "");
+  out.problem = problem.empty() ? usual_problem : file.parent_path() / problem;
+  if (out.problem.empty())
+    keys.fail(fmt::format("strategy '{}' has no problem, nor has [refinement]", out.name));
+  out.overrides = keys.texts("set");
+  out.levels = keys.integers("levels", 0, 12);
+  keys.require_no_others();
+  return out;
+}
+
+int component_of(TomlKeys& keys) {
+  const toml::node* const node = keys.take("component");
+  const std::string name = keys.text("component", "z");
+  const std::size_t i = std::string("xyz").find(name);
+  if (name.size() != 1 || i == std::string::npos)
+    keys.fail(*node, "[refinement] component must be \"x\", \"y\" or \"z\"");
+  return static_cast<int>(i);
+}
+
+std::optional<double> optional_number(TomlKeys& keys, std::string_view key, double low) {
+  const double value = keys.number(key, std::numeric_limits<double>::quiet_NaN(), low, any);
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+RefinementPoint point_of(const RefinementStudy& study, const ShellModel& model,
+                         const ShellSolution& solution) {
+  for (const ShellProbe& p : probe(model, solution))
+    if (p.name == study.probe)
+      return {solution.num_unknowns, model.mesh->topology.num_faces(), solution.strain_energy,
+              p.displacement(study.component)};
+  throw InputError("{}: there is no [[probe]] '{}', which the study names",
+                   model.problem.file.string(), study.probe);
+}
+
+}  // namespace
+
+RefinementStudy read_refinement_study(const toml::table& document,
+                                      const std::filesystem::path& file) {
+  TomlKeys top(document, "", file.string());
+  RefinementStudy study;
+  study.title = top.text("title", "");
+  const toml::node* const node = top.take("refinement");
+  const toml::node* const list = top.take("strategy");
+  top.require_no_others();
+  if (!node || !node->is_table())
+    throw InputError("{}: [refinement] is missing: what is compared", file.string());
+  TomlKeys keys(*node->as_table(), "[refinement] ", file.string());
+  const std::string problem = keys.text("problem", "");
+  study.probe = keys.text("probe", "");
+  if (study.probe.empty())
+    keys.fail("[refinement] probe is missing: the name of a [[probe]] of the problem");
+  study.component = component_of(keys);
+  study.reference_energy = optional_number(keys, "reference_energy", 0);
+  study.reference_displacement = optional_number(keys, "reference_displacement", -any);
+  keys.require_no_others();
+  if (!list || !list->is_array_of_tables())
+    throw InputError("{}: [[strategy]] is missing: a way to refine", file.string());
+  for (const toml::node& one : *list->as_array())
+    study.strategies.push_back(read_strategy(
+        *one.as_table(), study, problem.empty() ? "" : file.parent_path() / problem, file));
+  return study;
+}
+
+std::vector<RefinementCurve> run(const RefinementStudy& study,
+                                 const std::function<void(const std::string&)>& on_run) {
+  std::vector<RefinementCurve> out;
+  for (const RefinementStrategy& strategy : study.strategies) {
+    RefinementCurve& curve = out.emplace_back();
+    curve.name = strategy.name;
+    const auto solve = [&](const std::vector<std::string>& overrides, const std::string& name) {
+      if (on_run) on_run(name);
+      const Problem problem = read_problem(strategy.problem, overrides);
+      if (problem.model.kind != ModelKind::mitc4)
+        throw InputError("{}:{}: a [refinement] study compares shells, kind \"mitc4\"",
+                         problem.file.string(), problem.model.line);
+      (void)run_shell_problem(problem, {}, {},
+                              [&](const ShellModel& model, const ShellSolution& solution) {
+                                if (curve.points.empty()) curve.first = *model.mesh;
+                                curve.points.push_back(point_of(study, model, solution));
+                                curve.last = *model.mesh;
+                              });
+    };
+    if (strategy.levels.empty()) solve(strategy.overrides, strategy.name);
+    for (const int level : strategy.levels) {
+      std::vector<std::string> overrides = strategy.overrides;
+      overrides.push_back(fmt::format("mesh.levels={}", level));
+      solve(overrides, fmt::format("{}, level {}", strategy.name, level));
+    }
+  }
+  return out;
+}
+
+}  // namespace limes
