@@ -172,7 +172,7 @@ void SolveCommand::operator()() const {
     hand_over(std::move(result), current);
   };
   if (settings.model.kind == ModelKind::mitc4)
-    solve_with(run_shell_problem);
+    solve_with([](const auto&... arguments) { return run_shell_problem(arguments...); });
   else if (settings.model.kind == ModelKind::poisson)
     solve_with(run_poisson_problem);
   else

@@ -135,12 +135,13 @@ PoissonResult run_poisson_problem(const Problem& problem, const ModelOptions& op
 }
 
 ShellResult run_shell_problem(const Problem& problem, const ModelOptions& options,
-                              const PhaseCallback& on_phase) {
+                              const PhaseCallback& on_phase, const ShellStepCallback& on_step) {
   std::vector<std::pair<std::string, double>> timings;
   Phases phase(on_phase, timings);
   ShellResult result{
       phase("model", [&] { return read_shell_model(problem, options); }), {}, {}, {}, {}, 0, {}};
   result.solution = phase("solve", [&] { return solve_shell(result.model); });
+  if (on_step) on_step(result.model, result.solution);
   for (std::string& remark : remarks_on_symmetry(result.model))
     result.model.remarks.push_back(std::move(remark));
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });
