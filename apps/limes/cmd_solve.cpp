@@ -94,7 +94,8 @@ std::string shown(const Vec3& v) {
 }
 
 std::string summary(const ShellResult& result) {
-  std::string text =
+  std::string text = steps_summary(result.adaptive);
+  text +=
       fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
                   result.model.mesh->topology.num_faces(), shown(result.solution.strain_energy));
   for (const ShellProbe& p : result.probes)

@@ -45,7 +45,8 @@ std::vector<FaceId> marked_leaves(const ForestMesh& mesh, const std::vector<doub
 }  // namespace
 
 AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
-                              const std::function<StepSolution(const ForestMesh& mesh)>& solve) {
+                              const std::function<StepSolution(const ForestMesh& mesh)>& solve,
+                              std::span<const TiedEdge> seams) {
   const auto start = std::chrono::steady_clock::now();
   AdaptHistory history;
   for (ForestMesh mesh = forest_mesh(forest, Closure::conforming);;) {
@@ -64,6 +65,7 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
     const std::vector<FaceId> leaves = marked_leaves(mesh, solution.squares, targets);
     if (leaves.empty()) return ends("no error left");
     forest.refine(leaves);
+    match_seams(forest, seams);
     mesh = forest_mesh(forest, Closure::conforming);
     if (static_cast<std::int64_t>(mesh.mesh.points.size()) * targets.dofs_per_vertex >
         targets.max_dofs)

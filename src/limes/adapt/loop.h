@@ -7,6 +7,7 @@
 
 #include "limes/adapt/marking.h"
 #include "limes/subdiv/forest_mesh.h"
+#include "limes/subdiv/forest_seams.h"
 
 namespace limes {
 
@@ -46,9 +47,11 @@ struct AdaptHistory {
 /// Solve, estimate, mark, refine until a target is reached. Each step solves on the mesh of the forest
 /// with a conforming closure; the errors of the faces in a leaf add up. The last call of `solve` is the
 /// last step.
+/// @param seams  edges of the control mesh where parts are tied: both sides are split together
 /// @throws Interrupted between steps
 [[nodiscard]] AdaptHistory solve_adaptively(
     Forest& forest, const AdaptTargets& targets,
-    const std::function<StepSolution(const ForestMesh& mesh)>& solve);
+    const std::function<StepSolution(const ForestMesh& mesh)>& solve,
+    std::span<const TiedEdge> seams = {});
 
 }  // namespace limes

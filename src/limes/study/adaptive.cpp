@@ -55,14 +55,22 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
           t.face_size(FaceId(f)));
   Forest forest(start, scheme, {.levels = 0}, SplitUnit::families,
                 scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
+  return run_adaptively(problem, forest, {}, dofs_per_vertex,
+                        [&](const ForestMesh& mesh) { return solve(mesh.mesh); });
+}
+
+AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,
+                           int dofs_per_vertex,
+                           const std::function<StepSolution(const ForestMesh&)>& solve) {
   AdaptiveRun run;
-  run.history = solve_adaptively(forest, targets_of(*problem.adapt, dofs_per_vertex),
-                                 [&](const ForestMesh& mesh) {
-                                   StepSolution step = solve(mesh.mesh);
-                                   run.squares = step.squares;
-                                   return step;
-                                 });
-  run.start = std::move(start);
+  const auto solve_step = [&](const ForestMesh& mesh) {
+    StepSolution step = solve(mesh);
+    run.squares = step.squares;
+    return step;
+  };
+  run.history =
+      solve_adaptively(forest, targets_of(*problem.adapt, dofs_per_vertex), solve_step, seams);
+  run.start = forest.control();
   return run;
 }
 

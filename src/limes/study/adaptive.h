@@ -27,6 +27,12 @@ struct AdaptiveRun {
                                          int dofs_per_vertex,
                                          const std::function<StepSolution(const Mesh&)>& solve);
 
+/// The same on a forest that is there.
+/// @param seams  edges of its control mesh where parts are tied
+[[nodiscard]] AdaptiveRun run_adaptively(
+    const Problem& problem, Forest& forest, std::span<const TiedEdge> seams, int dofs_per_vertex,
+    const std::function<StepSolution(const ForestMesh&)>& solve);
+
 /// One object per step, for result.json.
 [[nodiscard]] nlohmann::ordered_json steps_json(const AdaptiveRun& run);
 

@@ -10,6 +10,8 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/mesh/defects.h"
+#include "limes/study/shell_error.h"
+#include "limes/study/shell_forest.h"
 #include "limes/study/shell_supports.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
@@ -69,6 +71,30 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
                             estimate_error(result.model, result.solution)};
       });
   result.model.problem = problem;
+  result.model.remarks = std::move(file.remarks);
+}
+
+/// The same for shells: on a forest on the mesh of the file, whose first step has every face split as often
+/// as `levels` says.
+void solve_in_steps(const Problem& problem, const ModelOptions& options,
+                    const PhaseCallback& on_phase, const ShellStepCallback& on_step,
+                    ShellResult& result) {
+  MeshFile file = read_control_mesh(problem, options);
+  ShellForest shell = shell_forest(problem, file.mesh);
+  int number = 0;
+  constexpr int dofs_per_vertex = 5;
+  result.adaptive = run_adaptively(
+      problem, shell.forest, shell.seams, dofs_per_vertex, [&](const ForestMesh& mesh) {
+        if (on_phase)
+          on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
+        result.model =
+            shell_model_on(problem, mesh.mesh, tied_edges(shell.forest, mesh, shell.seams));
+        result.solution = solve_shell(result.model);
+        if (on_step) on_step(result.model, result.solution);
+        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
+                            estimate_error(result.model, result.solution)};
+      });
+  result.model.control = std::move(file.mesh);
   result.model.remarks = std::move(file.remarks);
 }
 
@@ -138,10 +164,14 @@ ShellResult run_shell_problem(const Problem& problem, const ModelOptions& option
                               const PhaseCallback& on_phase, const ShellStepCallback& on_step) {
   std::vector<std::pair<std::string, double>> timings;
   Phases phase(on_phase, timings);
-  ShellResult result{
-      phase("model", [&] { return read_shell_model(problem, options); }), {}, {}, {}, {}, 0, {}};
-  result.solution = phase("solve", [&] { return solve_shell(result.model); });
-  if (on_step) on_step(result.model, result.solution);
+  ShellResult result;
+  if (problem.adapt) {
+    phase("steps", [&] { solve_in_steps(problem, options, on_phase, on_step, result); });
+  } else {
+    result.model = phase("model", [&] { return read_shell_model(problem, options); });
+    result.solution = phase("solve", [&] { return solve_shell(result.model); });
+    if (on_step) on_step(result.model, result.solution);
+  }
   for (std::string& remark : remarks_on_symmetry(result.model))
     result.model.remarks.push_back(std::move(remark));
   result.probes = phase("probes", [&] { return probe(result.model, result.solution); });

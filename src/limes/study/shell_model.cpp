@@ -147,6 +147,22 @@ void set_materials(ShellModel& model) {
                        problem.file.string(), f);
 }
 
+/// @param normal  at each corner; empty: those of the faces
+ShellModel model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied,
+                    const IdArray<HalfedgeId, Vec3>& normal) {
+  const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, mesh_path(problem).string());
+  ShellModel model;
+  model.problem = problem;
+  model.mesh = std::make_unique<Mesh>(std::move(mesh));
+  model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
+  set_size(model);
+  require_coincident(problem, *model.mesh, tied, model.diagonal);
+  model.node = tied_nodes(model.mesh->topology.num_vertices(), tied);
+  set_directors(model, normal.empty() ? flat : normal);
+  set_materials(model);
+  return model;
+}
+
 }  // namespace
 
 ShellQuad ShellModel::quad(FaceId face) const {
@@ -179,7 +195,7 @@ void ShellModel::scatter(FaceId face, const ShellVector& element, VectorX& out) 
         element.segment<6>(6 * i);
 }
 
-ShellModel build_shell_model(const Problem& problem, Mesh control) {
+void require_shell_control(const Problem& problem, const Mesh& control) {
   const std::string file = mesh_path(problem).string();
   require_refinable(control, file);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
@@ -192,27 +208,28 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
     throw InputError(
         "{}: face {} is a hole; kind \"mitc4\" knows no hole faces, leave them out of the mesh",
         file, control.tags.holes.front().value);
-  ShellModel model;
-  model.problem = problem;
-  model.control = std::move(control);
-  const BoundaryRule boundary = model.control.tags.boundary.value_or(BoundaryRule::edges);
-  Mesh mesh = problem.mesh.exact ? refined_on_surfaces(problem, model.control)
-                                 : refine(model.control, scheme,
-                                          {.levels = problem.mesh.levels, .boundary = boundary});
+}
+
+ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied) {
+  return model_on(problem, std::move(mesh), tied, {});
+}
+
+ShellModel build_shell_model(const Problem& problem, Mesh control) {
+  require_shell_control(problem, control);
+  const int levels = problem.mesh.levels;
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  const BoundaryRule boundary = control.tags.boundary.value_or(BoundaryRule::edges);
+  Mesh mesh = problem.mesh.exact
+                  ? refined_on_surfaces(problem, control, levels)
+                  : refine(control, scheme, {.levels = levels, .boundary = boundary});
+  const std::string file = mesh_path(problem).string();
   require_quads(mesh, file);
   IdArray<HalfedgeId, Vec3> normal;
   if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
     normal = move_to_limit(mesh, scheme, boundary, file);
-  const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, file);
-  model.mesh = std::make_unique<Mesh>(std::move(mesh));
-  model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
-  set_size(model);
-  const auto tied =
-      refined_seams(model.control, seams_of(problem, model.control), problem.mesh.levels);
-  require_coincident(problem, *model.mesh, tied, model.diagonal);
-  model.node = tied_nodes(model.mesh->topology.num_vertices(), tied);
-  set_directors(model, normal.empty() ? flat : normal);
-  set_materials(model);
+  const auto tied = refined_seams(control, seams_of(problem, control), levels);
+  ShellModel model = model_on(problem, std::move(mesh), tied, normal);
+  model.control = std::move(control);
   return model;
 }
 

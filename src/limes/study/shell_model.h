@@ -6,6 +6,7 @@
 
 #include "limes/fem/mitc4.h"
 #include "limes/mesh/adjacency.h"
+#include "limes/mesh/seams.h"
 #include "limes/study/control_mesh.h"
 
 namespace limes {
@@ -48,7 +49,16 @@ struct ShellModel {
 ///         ones, and for faces with no material or two
 [[nodiscard]] ShellModel build_shell_model(const Problem& problem, Mesh control);
 
-/// The same for the mesh file that the problem names.
+/// The same for a mesh whose vertices are the nodes, as they are.
+/// @param tied  its edges on seams
+/// @throws InputError as above
+[[nodiscard]] ShellModel shell_model_on(const Problem& problem, Mesh mesh,
+                                        const std::vector<TiedEdge>& tied);
+
+/// @throws InputError for what no mesh can be made of for kind "mitc4": defects, holes, the scheme
+void require_shell_control(const Problem& problem, const Mesh& control);
+
+/// build_shell_model() for the mesh file that the problem names.
 [[nodiscard]] ShellModel read_shell_model(const Problem& problem, const ModelOptions& options = {});
 
 }  // namespace limes

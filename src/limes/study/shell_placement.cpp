@@ -9,6 +9,7 @@
 #include "limes/study/suggest.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/split.h"
 
 namespace limes {
 namespace {
@@ -53,6 +54,21 @@ std::vector<std::vector<Edge>> curve_edges(const Problem& problem, const Mesh& m
   return out;
 }
 
+/// All in the order of the problem file, so that vertices that lie on the same come to the same bits.
+void sort_as_stated(const Problem& problem, Surfaces& surfaces) {
+  const auto rank = [&](const GeometrySettings* one) {
+    std::size_t i = 0;
+    if (problem.geometry && one == &*problem.geometry) return i;
+    for (const GeometrySettings& g : problem.geometry_of_parts)
+      if (++i, one == &g) return i;
+    for (const CurveSettings& c : problem.curves)
+      if (++i, one == &c.surface) return i;
+    return i + 1;
+  };
+  std::sort(surfaces.begin(), surfaces.end(),
+            [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
+}
+
 /// What every vertex must lie on.
 std::vector<Surfaces> surfaces_of_vertices(const Problem& problem, const Mesh& mesh,
                                            const std::vector<TiedEdge>& tied,
@@ -68,11 +84,13 @@ std::vector<Surfaces> surfaces_of_vertices(const Problem& problem, const Mesh& m
     for (const Edge& e : curves[c])
       for (const VertexId v : e)
         add_once(at(v), &problem.curves[c].surface);
-  // Tied vertices share all they lie on, in one order, so that they come to the same bits.
+  // Tied vertices share all they lie on.
   const auto node = tied_nodes(t.num_vertices(), tied);
   for (int v = t.num_vertices() - 1; v >= 0; --v)
     for (const GeometrySettings* s : Surfaces(at(VertexId(v))))
       add_once(at(node[VertexId(v)]), s);
+  for (int v = 0; v < t.num_vertices(); ++v)
+    if (node[VertexId(v)] == VertexId(v)) sort_as_stated(problem, at(VertexId(v)));
   for (int v = 0; v < t.num_vertices(); ++v)
     at(VertexId(v)) = at(node[VertexId(v)]);
   return out;
@@ -146,22 +164,49 @@ std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> e
   return edges;
 }
 
-Mesh refined_on_surfaces(const Problem& problem, Mesh mesh) {
+Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   require_surfaces(problem, mesh);
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh);
+  int first_new = 0;
   for (int level = 0;; ++level) {
     const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-    for (int v = 0; v < mesh.points.size(); ++v)
+    for (int v = first_new; v < mesh.points.size(); ++v)
       mesh.points[VertexId(v)] =
           placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
-    if (level == problem.mesh.levels) return mesh;
+    if (level == levels) return mesh;
+    first_new = mesh.points.size();
     const Adjacency adjacency(mesh.topology);
     tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
     for (auto& edges : curves)
       edges = split_edges(adjacency, std::span<const Edge>(edges));
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
   }
+}
+
+Placement exact_placement(const Problem& problem, const Mesh& control) {
+  require_surfaces(problem, control);
+  // What the vertices in the middle of edges and faces lie on, so do all that are inside them.
+  const Adjacency adjacency(control.topology);
+  const QuadrisectionIds ids = quadrisection_ids(adjacency);
+  const std::vector<TiedEdge> tied =
+      split_edges(adjacency, std::span<const TiedEdge>(seams_of(problem, control)));
+  auto curves = curve_edges(problem, control);
+  for (auto& edges : curves)
+    edges = split_edges(adjacency, std::span<const Edge>(edges));
+  const Mesh fine = refine(control, find_scheme("linear"), {.levels = 1});
+  const auto surfaces = surfaces_of_vertices(problem, fine, tied, curves);
+  const auto at = [&](VertexId v) { return surfaces[static_cast<std::size_t>(v.value)]; };
+  IdArray<HalfedgeId, Surfaces> of_edge(static_cast<std::size_t>(control.topology.num_corners()));
+  IdArray<FaceId, Surfaces> of_face(static_cast<std::size_t>(control.topology.num_faces()));
+  for (int h = 0; h < of_edge.size(); ++h)
+    of_edge[HalfedgeId(h)] = at(ids.of_edge(adjacency.edge(HalfedgeId(h))));
+  for (int f = 0; f < of_face.size(); ++f)
+    of_face[FaceId(f)] = at(ids.of_face(FaceId(f)));
+  return [&problem, of_edge = std::move(of_edge), of_face = std::move(of_face)](
+             const Vec3& x, FaceId face, HalfedgeId edge) {
+    return placed(problem, edge.valid() ? of_edge[edge] : of_face[face], x);
+  };
 }
 
 void require_coincident(const Problem& problem, const Mesh& mesh,

@@ -4,6 +4,7 @@
 
 #include "limes/mesh/seams.h"
 #include "limes/study/problem.h"
+#include "limes/subdiv/forest.h"
 
 namespace limes {
 
@@ -24,7 +25,13 @@ namespace limes {
 /// Vertices halfway between others, then on the exact surface of their part, level by level: on a
 /// seam on those of all parts there, on a [[curve]] on that as well.
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
-[[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh);
+[[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
+
+/// The same for the vertices of a forest, bitwise, which takes vertices halfway between others.
+/// @param control  as in the file; not needed any more afterwards
+/// @param problem  must outlive the placement
+/// @throws InputError as above, also from the placement
+[[nodiscard]] Placement exact_placement(const Problem& problem, const Mesh& control);
 
 /// @throws InputError naming two tied vertices of the refined mesh that are not in one place
 void require_coincident(const Problem& problem, const Mesh& mesh,

@@ -12,6 +12,8 @@
 namespace limes {
 namespace {
 
+const Vec3 view_direction(-1, -1.5, -1);
+
 std::string shown(double value) {
   return format_readable(value, 6);
 }
@@ -53,8 +55,7 @@ Figure displacement_figure(const ShellResult& result) {
   field.quantity = "|u|";
   field.unit = result.model.problem.units.length;
   field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
-  return field_figure(field,
-                      {.title = "Length of the displacement", .direction = Vec3(-1, -1.5, -1)});
+  return field_figure(field, {.title = "Length of the displacement", .direction = view_direction});
 }
 
 void add_tables(const ShellResult& result, HtmlReport& report) {
@@ -87,6 +88,8 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
   add_summary(result, report);
   report.section("Displacement");
   add_picture(drawing(displacement_figure(result)), "displacement.png", report, files);
+  if (result.adaptive)
+    add_adaptive_section(*result.adaptive, *result.model.mesh, view_direction, report, files);
   add_tables(result, report);
   report.raw_data("result.json, without timings", result_json(result, false).dump(2));
   report.footer(result.made_by);

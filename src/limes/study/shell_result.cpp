@@ -1,5 +1,6 @@
 #include "limes/study/shell_result.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "limes/io/vtu.h"
@@ -72,6 +73,10 @@ nlohmann::ordered_json result_json(const ShellResult& result, bool with_timings)
     out["reactions"].push_back({{"where", r.where},
                                 {"force", list(r.resultant.force)},
                                 {"moment", list(r.resultant.moment)}});
+  if (result.adaptive) {
+    out["steps"] = steps_json(*result.adaptive);
+    out["end"] = result.adaptive->history.end;
+  }
   out["checks"] = checks_json(result.checks);
   if (with_timings) add_cost(result.timings, result.peak_memory, out);
   return out;
@@ -109,6 +114,12 @@ void write_result_vtu(const ByteSink& sink, const ShellResult& result) {
                     {"von_mises_middle", 1, std::move(cells.middle)},
                     {"von_mises_bottom", 1, std::move(cells.bottom)},
                     {"material", 1, std::move(cells.material)}};
+  if (result.adaptive) {
+    std::vector<double> error;
+    for (const double square : result.adaptive->squares)
+      error.push_back(std::sqrt(square));
+    grid.cell_data.push_back({"error", 1, std::move(error)});
+  }
   write_vtu(sink, grid);
 }
 

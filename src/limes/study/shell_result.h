@@ -11,6 +11,7 @@ struct ShellResult {
   ShellSolution solution;
   std::vector<ShellProbe> probes;
   std::vector<SolutionCheck> checks;
+  std::optional<AdaptiveRun> adaptive;
   /// As in PlaneResult.
   std::vector<std::pair<std::string, double>> timings;
   std::int64_t peak_memory = 0;

@@ -33,12 +33,14 @@ Features checked_features(const Adjacency& control, const Mesh& mesh, const Sche
 }  // namespace
 
 Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
-               SplitUnit unit, LimitsOf limits)
+               SplitUnit unit, LimitsOf limits, Placement placement)
     : root_(std::make_shared<const Root>(control)),
       unit_(unit),
       nodes_(root_->adjacency, control.points.span(),
              checked_features(root_->adjacency, control, scheme, options), scheme,
-             std::move(limits)) {
+             std::move(limits)),
+      placement_(std::move(placement)) {
+  LIMES_ASSERT(!placement_ || scheme.interpolatory);
   const Topology& topology = control.topology;
   // Room for the first children, so that a small step does not copy the control faces.
   faces_.reserve(with_room(static_cast<std::size_t>(topology.num_faces())));
@@ -92,6 +94,14 @@ std::vector<FaceId> Forest::faces_at(int level, VertexId v) const {
 
 FaceAncestry Forest::ancestry(FaceId f) const {
   return {face(f).root, face(f).level, face(f).path};
+}
+
+HalfedgeId Forest::control_side(FaceId f, int side) const {
+  // Of child i only the sides i and i - 1 lie on sides of the parent, on those with the same number.
+  FaceId g = f;
+  for (; face(g).parent.valid(); g = face(g).parent)
+    if (child_index(g) != side && child_index(g) != (side + 1) % 4) return {};
+  return root_->mesh.topology.halfedge(g, side);
 }
 
 std::vector<FaceId> Forest::leaves() const {
@@ -235,7 +245,9 @@ void Forest::make_children(std::vector<FaceId> faces) {
     wanted.push_back(std::binary_search(faces.begin(), faces.end(), f,
                                         [&](FaceId a, FaceId b) { return before(a, b); }));
   }
+  const int num_before = nodes_.size();
   const std::vector<ChildNodes> made = nodes_.make(level, quads, wanted);
+  if (placement_) place(faces, made, num_before);
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const FaceId f = faces[k];
     faces_[f].first_child = FaceId(faces_.size());
@@ -251,6 +263,23 @@ void Forest::make_children(std::vector<FaceId> faces) {
         faces_at_[ForestNodes::level_key(level + 1, v)].push_back(FaceId(faces_.size()));
       faces_.push_back(child);
     }
+  }
+}
+
+/// Moves the vertices made for the children of some faces; those from number `num_before` on are new.
+void Forest::place(std::span<const FaceId> faces, std::span<const ChildNodes> made,
+                   int num_before) {
+  std::vector<char> placed(static_cast<std::size_t>(nodes_.size() - num_before), 0);
+  const auto place_once = [&](VertexId v, FaceId root, HalfedgeId edge) {
+    if (v.value < num_before) return;
+    if (std::exchange(placed[static_cast<std::size_t>(v.value - num_before)], 1)) return;
+    nodes_.place(v, placement_(nodes_.position(v), root, edge));
+  };
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const FaceId root = face(faces[k]).root;
+    for (int i = 0; i < 4; ++i)
+      place_once(made[k].sides[static_cast<std::size_t>(i)], root, control_side(faces[k], i));
+    place_once(made[k].centre, root, HalfedgeId());
   }
 }
 

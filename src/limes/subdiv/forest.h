@@ -28,6 +28,12 @@ enum class SplitUnit {
   faces      ///< each alone
 };
 
+/// Moves a new vertex, such as onto a surface, from where the scheme puts it.
+/// @param face  of the control mesh, in which the vertex lies
+/// @param edge  a side of that face on which it lies; invalid: it lies inside
+/// @return      the same for both faces of an edge
+using Placement = std::function<Vec3(const Vec3& x, FaceId face, HalfedgeId edge)>;
+
 /// A quad mesh refined in places: a quadtree on every control face [kobbelt_1996]. A face is split
 /// like in uniform refinement, children in its order, and its vertices lie where uniform refinement
 /// puts them, bitwise with interpolatory schemes; other schemes place vertices at their limits.
@@ -44,10 +50,11 @@ class Forest {
   static constexpr int max_level = 26;  ///< paths are exact in a double, sides 1.5e-8 of a root's
 
   /// @param limits  for schemes that are not interpolatory, see limit/forest_limits.h
+  /// @param placement  with interpolatory schemes; of the vertices that splits add, those of the control mesh stay
   /// @throws InputError if a face is no quad, for BoundaryRule::none, or as refine(); UsageError if the scheme splits
   ///         otherwise
   Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
-         SplitUnit unit = SplitUnit::families, LimitsOf limits = {});
+         SplitUnit unit = SplitUnit::families, LimitsOf limits = {}, Placement placement = {});
 
   /// Splits leaves, and others as balance asks.
   /// @return number of faces split. Leaves that were split meanwhile count once.
@@ -69,8 +76,14 @@ class Forest {
   [[nodiscard]] const QuadCorners& corners(FaceId f) const { return face(f).corners; }
   [[nodiscard]] bool is_split(FaceId f) const { return face(f).split; }
   [[nodiscard]] FaceId parent(FaceId f) const { return face(f).parent; }
+  /// Of a split face; child i lies at corner i.
+  [[nodiscard]] FaceId child(FaceId f, int i) const {
+    return FaceId(face(f).first_child.value + i);
+  }
   /// Number among its siblings.
   [[nodiscard]] int child_index(FaceId f) const { return static_cast<int>(face(f).path & 3); }
+  /// The side of the control face that a side of a face lies on; invalid inside the control face.
+  [[nodiscard]] HalfedgeId control_side(FaceId f, int side) const;
   /// The faces of a level that meet in a vertex, split or not.
   [[nodiscard]] std::vector<FaceId> faces_at(int level, VertexId v) const;
 
@@ -110,11 +123,13 @@ class Forest {
   [[nodiscard]] std::vector<FaceId> parents_around(std::span<const FaceId> faces) const;
   [[nodiscard]] std::vector<FaceId> patch_around(std::span<const FaceId> faces) const;
   void make_children(std::vector<FaceId> faces);
+  void place(std::span<const FaceId> faces, std::span<const ChildNodes> made, int num_before);
   [[nodiscard]] bool can_merge(FaceId f) const;
 
   std::shared_ptr<const Root> root_;
   SplitUnit unit_;
   ForestNodes nodes_;
+  Placement placement_;
   IdArray<FaceId, Face> faces_;    // the control faces first, then children by fours
   std::vector<int> root_offsets_;  // faces of the control mesh by vertex
   std::vector<FaceId> root_faces_;

@@ -246,6 +246,7 @@ ForestMesh forest_mesh(Forest& forest, Closure closure) {
   hand_down_tags(forest, pieces, numbering.nodes(), made.mesh);
   add_ancestry(forest, pieces, made.mesh);
   made.leaves = pieces.leaves();
+  made.nodes = numbering.nodes();
   if (closure != Closure::hanging) return made;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const QuadCorners& v = forest.corners(leaves[i]);

@@ -28,6 +28,7 @@ struct HangingVertex {
 struct ForestMesh {
   Mesh mesh;
   std::vector<FaceId> leaves;          ///< of each face, the leaf it lies in
+  std::vector<VertexId> nodes;         ///< of each vertex, its number in the forest
   std::vector<HangingVertex> hanging;  ///< ascending; with Closure::hanging only
 };
 

@@ -48,6 +48,8 @@ class ForestNodes {
   [[nodiscard]] int size() const { return positions_.size(); }
   /// On the limit surface.
   [[nodiscard]] const Vec3& position(VertexId v) const { return positions_[v]; }
+  /// Moves a vertex of an interpolatory scheme, from which no others were made yet.
+  void place(VertexId v, const Vec3& x) { positions_[v] = x; }
   /// Whether a vertex lies on the boundary or on a sharp edge.
   [[nodiscard]] bool on_curve(VertexId v) const { return on_curve_[v] != 0; }
   /// The vertex in the middle of an edge; invalid if none was made.

@@ -1,0 +1,151 @@
+#include "limes/study/shell_error.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "limes/adapt/recovery.h"
+#include "limes/core/parallel.h"
+
+namespace limes {
+namespace {
+
+/// Components of membrane and bending (11, 22, 12 each) and shear (1, 2) in two axes of a plane.
+using PlaneResultants = Eigen::Matrix<double, 8, 1>;
+using Axes = Eigen::Matrix<double, 3, 2>;
+
+Axes axes_across(const Vec3& normal) {
+  Axes out;
+  out.col(0) = normal.unitOrthogonal();
+  out.col(1) = normal.cross(out.col(0));
+  return out;
+}
+
+/// The shortest turn that brings one direction to another.
+Mat3 turn(const Vec3& from, const Vec3& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+PlaneResultants in_plane(const ShellResultants& r, const Axes& axes) {
+  const Mat2 n = axes.transpose() * r.membrane * axes, m = axes.transpose() * r.bending * axes;
+  const Vec2 q = axes.transpose() * r.shear;
+  PlaneResultants out;
+  out << n(0, 0), n(1, 1), n(0, 1), m(0, 0), m(1, 1), m(0, 1), q(0), q(1);
+  return out;
+}
+
+ShellResultants in_space(const PlaneResultants& p, const Axes& axes, const Vec3& normal) {
+  Mat2 n, m;
+  n << p(0), p(2), p(2), p(1);
+  m << p(3), p(5), p(5), p(4);
+  return {axes * n * axes.transpose(), axes * m * axes.transpose(), axes * p.tail<2>(), normal};
+}
+
+ShellResultants turned(const ShellResultants& r, const Vec3& normal) {
+  const Mat3 R = turn(r.normal, normal);
+  return {R * r.membrane * R.transpose(), R * r.bending * R.transpose(), R * r.shear, normal};
+}
+
+/// Twice the energy per area of what two states differ by.
+double energy_between(const ShellResultants& a, const ShellResultants& b, const ShellSection& s) {
+  const auto square = [&](const Mat3& d) {
+    return (1 + s.poisson) * d.squaredNorm() - s.poisson * d.trace() * d.trace();
+  };
+  const double t = s.thickness, stretching = s.young * t;
+  const double shearing = s.shear_factor * s.young / (2 * (1 + s.poisson)) * t;
+  return (square(a.membrane - b.membrane) + 12 / (t * t) * square(a.bending - b.bending)) /
+             stretching +
+         (a.shear - b.shear).squaredNorm() / shearing;
+}
+
+/// Whether the faces on both sides of an inner edge are one smooth piece of one material.
+bool is_smooth_across(const ShellModel& model, HalfedgeId h) {
+  const Adjacency& adjacency = *model.adjacency;
+  const HalfedgeId twin = adjacency.twin(h);
+  const double cosine = std::cos(model.problem.model.kink_angle * std::numbers::pi / 180);
+  const auto material = [&](HalfedgeId side) {
+    return model.material_of_face[static_cast<std::size_t>(adjacency.face(side).value)];
+  };
+  return material(h) == material(twin) &&
+         model.director[h].dot(model.director[adjacency.next(twin)]) >= cosine &&
+         model.director[adjacency.next(h)].dot(model.director[twin]) >= cosine;
+}
+
+ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,
+                      const Vec2& rs) {
+  return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
+}
+
+/// At every corner of every face, in the plane normal to its director.
+IdArray<HalfedgeId, ShellResultants> recovered(const ShellModel& model,
+                                               const ShellSolution& solution) {
+  const int n = model.mesh->topology.num_faces();
+  IdArray<FaceId, ShellResultants> centre(static_cast<std::size_t>(n));
+  for_each_index(n, [&](std::int64_t f) {
+    centre[FaceId(f)] = state(model, solution, FaceId(f), Vec2::Zero());
+  });
+  const auto patches =
+      recovery_patches(*model.adjacency, [&](HalfedgeId h) { return is_smooth_across(model, h); });
+  IdArray<HalfedgeId, ShellResultants> out(
+      static_cast<std::size_t>(model.mesh->topology.num_corners()));
+  for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
+    const RecoveryPatch& patch = patches[static_cast<std::size_t>(i)];
+    const Vec3 director = model.director[patch.corners.front()];
+    const Axes axes = axes_across(director);
+    const auto m = static_cast<Eigen::Index>(patch.faces.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
+    MatrixX values(m, 8);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const FaceId f = patch.faces[static_cast<std::size_t>(k)];
+      const Vec3 x = model.quad(f).position(Vec2::Zero()) - model.mesh->points[patch.vertex];
+      at.row(k) = x.transpose() * axes;
+      values.row(k) = in_plane(turned(centre[f], director), axes).transpose();
+    }
+    const PlaneResultants value = fitted_at_origin(at, values);
+    for (const HalfedgeId h : patch.corners)
+      out[h] = in_space(value, axes, director);
+  });
+  return out;
+}
+
+/// Bilinear between recovered corners, each turned to a normal.
+ShellResultants interpolated(const std::array<ShellResultants, 4>& corner, const Vec2& rs,
+                             const Vec3& normal) {
+  const double r = rs.x(), s = rs.y();
+  const std::array<double, 4> N{(1 - r) * (1 - s) / 4, (1 + r) * (1 - s) / 4, (1 + r) * (1 + s) / 4,
+                                (1 - r) * (1 + s) / 4};
+  ShellResultants out{Mat3::Zero(), Mat3::Zero(), Vec3::Zero(), normal};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const ShellResultants here = turned(corner[k], normal);
+    out.membrane += N[k] * here.membrane;
+    out.bending += N[k] * here.bending;
+    out.shear += N[k] * here.shear;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> estimate_error(const ShellModel& model, const ShellSolution& solution) {
+  const Topology& t = model.mesh->topology;
+  const IdArray<HalfedgeId, ShellResultants> at_corner = recovered(model, solution);
+  std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
+  for_each_index(t.num_faces(), [&](std::int64_t i) {
+    const FaceId f(i);
+    const ShellQuad quad = model.quad(f);
+    std::array<ShellResultants, 4> corner;
+    for (int k = 0; k < 4; ++k)
+      corner[static_cast<std::size_t>(k)] = at_corner[t.halfedge(f, k)];
+    const double gauss = 1 / std::sqrt(3.0);
+    for (const double r : {-gauss, gauss})
+      for (const double s : {-gauss, gauss}) {
+        const Vec2 rs(r, s);
+        const ShellResultants here = state(model, solution, f, rs);
+        out[static_cast<std::size_t>(i)] +=
+            quad.area_normal(rs).norm() *
+            energy_between(interpolated(corner, rs, here.normal), here, model.section(f));
+      }
+  });
+  return out;
+}
+
+}  // namespace limes
