@@ -354,9 +354,6 @@ void ProblemReader::read_adapt() {
       fail(table.place(),
            "[adapt] takes shells whose nodes are vertices; right is [mesh] scheme = \"linear\" or "
            "\"kobbelt\"");
-    if (problem_.model.kind == ModelKind::mitc4 && !problem_.seams.empty() &&
-        problem_.mesh.levels < 1)
-      fail(table.place(), "[adapt] with a [[seam]] needs [mesh] levels of 1 or more");
     if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
       fail(table.place(),
            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");

@@ -1,24 +1,45 @@
 #include "limes/study/shell_forest.h"
 
-#include <utility>
-
+#include "limes/core/error.h"
 #include "limes/study/shell_model.h"
 #include "limes/study/shell_placement.h"
+#include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
+namespace {
+
+/// Uniform steps before the forest takes over: it needs quads, and splits those of a seam in any case.
+int levels_before(const Problem& problem, const Mesh& control) {
+  const Topology& t = control.topology;
+  int before = 0;
+  for (int f = 0; f < t.num_faces(); ++f)
+    if (t.face_size(FaceId(f)) != 4) before = 1;
+  const int least = before + (problem.seams.empty() ? 0 : 1);
+  if (problem.mesh.levels < least)
+    throw InputError("{}:{}: [adapt] needs levels of {} or more here{}", problem.file.string(),
+                     problem.mesh.line, least,
+                     before == 1 ? ": the mesh has faces that are no quads" : ": there are seams");
+  return before;
+}
+
+}  // namespace
 
 ShellForest shell_forest(const Problem& problem, const Mesh& control) {
   require_shell_control(problem, control);
-  const RefineOptions options{.levels = 0,
-                              .boundary = control.tags.boundary.value_or(BoundaryRule::edges)};
+  const int before = levels_before(problem, control);
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  RefineOptions options{.levels = before,
+                        .boundary = control.tags.boundary.value_or(BoundaryRule::edges)};
   const bool exact = problem.mesh.exact;
+  const Mesh start =
+      exact ? refined_on_surfaces(problem, control, before) : refine(control, scheme, options);
+  options.levels = 0;
   ShellForest out{
-      Forest(exact ? refined_on_surfaces(problem, control, 0) : control,
-             find_scheme(exact ? "linear" : problem.mesh.scheme), options, SplitUnit::families, {},
-             exact ? exact_placement(problem, control) : Placement()),
-      seams_of(problem, control)};
-  for (int level = 0; level < problem.mesh.levels; ++level)
+      Forest(start, exact ? find_scheme("linear") : scheme, options, SplitUnit::families, {},
+             exact ? exact_placement(problem, control, before) : Placement()),
+      refined_seams(control, seams_of(problem, control), before)};
+  for (int level = before; level < problem.mesh.levels; ++level)
     out.forest.refine(out.forest.leaves());
   return out;
 }

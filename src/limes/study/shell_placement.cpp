@@ -184,21 +184,29 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   }
 }
 
-Placement exact_placement(const Problem& problem, const Mesh& control) {
+Placement exact_placement(const Problem& problem, const Mesh& control, int levels) {
   require_surfaces(problem, control);
-  // What the vertices in the middle of edges and faces lie on, so do all that are inside them.
-  const Adjacency adjacency(control.topology);
-  const QuadrisectionIds ids = quadrisection_ids(adjacency);
-  const std::vector<TiedEdge> tied =
-      split_edges(adjacency, std::span<const TiedEdge>(seams_of(problem, control)));
+  std::vector<TiedEdge> tied = seams_of(problem, control);
   auto curves = curve_edges(problem, control);
-  for (auto& edges : curves)
-    edges = split_edges(adjacency, std::span<const Edge>(edges));
-  const Mesh fine = refine(control, find_scheme("linear"), {.levels = 1});
+  const auto refined = [&](const Mesh& mesh) {
+    const Adjacency adjacency(mesh.topology);
+    tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
+    for (auto& edges : curves)
+      edges = split_edges(adjacency, std::span<const Edge>(edges));
+    return refine(mesh, find_scheme("linear"), {.levels = 1});
+  };
+  Mesh coarse = control;
+  for (int level = 0; level < levels; ++level)
+    coarse = refined(coarse);
+  // What the vertices in the middle of edges and faces lie on, so do all that are inside them.
+  const Mesh fine = refined(coarse);
   const auto surfaces = surfaces_of_vertices(problem, fine, tied, curves);
+  const Topology& t = coarse.topology;
+  const Adjacency adjacency(t);
+  const QuadrisectionIds ids = quadrisection_ids(adjacency);
   const auto at = [&](VertexId v) { return surfaces[static_cast<std::size_t>(v.value)]; };
-  IdArray<HalfedgeId, Surfaces> of_edge(static_cast<std::size_t>(control.topology.num_corners()));
-  IdArray<FaceId, Surfaces> of_face(static_cast<std::size_t>(control.topology.num_faces()));
+  IdArray<HalfedgeId, Surfaces> of_edge(static_cast<std::size_t>(t.num_corners()));
+  IdArray<FaceId, Surfaces> of_face(static_cast<std::size_t>(t.num_faces()));
   for (int h = 0; h < of_edge.size(); ++h)
     of_edge[HalfedgeId(h)] = at(ids.of_edge(adjacency.edge(HalfedgeId(h))));
   for (int f = 0; f < of_face.size(); ++f)

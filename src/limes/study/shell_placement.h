@@ -29,9 +29,10 @@ namespace limes {
 
 /// The same for the vertices of a forest, bitwise, which takes vertices halfway between others.
 /// @param control  as in the file; not needed any more afterwards
+/// @param levels   the forest is that on refined_on_surfaces(problem, control, levels)
 /// @param problem  must outlive the placement
 /// @throws InputError as above, also from the placement
-[[nodiscard]] Placement exact_placement(const Problem& problem, const Mesh& control);
+[[nodiscard]] Placement exact_placement(const Problem& problem, const Mesh& control, int levels);
 
 /// @throws InputError naming two tied vertices of the refined mesh that are not in one place
 void require_coincident(const Problem& problem, const Mesh& mesh,

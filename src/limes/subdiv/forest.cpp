@@ -97,10 +97,12 @@ FaceAncestry Forest::ancestry(FaceId f) const {
 }
 
 HalfedgeId Forest::control_side(FaceId f, int side) const {
-  // Of child i only the sides i and i - 1 lie on sides of the parent, on those with the same number.
+  // Child i begins at corner i: its side 0 is half of its parent's side i, its side 3 of i - 1.
   FaceId g = f;
-  for (; face(g).parent.valid(); g = face(g).parent)
-    if (child_index(g) != side && child_index(g) != (side + 1) % 4) return {};
+  for (; face(g).parent.valid(); g = face(g).parent) {
+    if (side == 1 || side == 2) return {};
+    side = (child_index(g) + side) % 4;
+  }
   return root_->mesh.topology.halfedge(g, side);
 }
 

@@ -13,9 +13,11 @@ struct Side {
   int side;
   bool forward;
 
+  /// The first or second half; child i begins at corner i, so that its side 0 is the first half of side i,
+  /// and its side 3 the second half of side i - 1.
   [[nodiscard]] Side half(const Forest& forest, int i) const {
-    const int first = forward ? side : (side + 1) % 4, last = forward ? (side + 1) % 4 : side;
-    return {forest.child(face, i == 0 ? first : last), side, forward};
+    return (i == 0) == forward ? Side{forest.child(face, side), 0, forward}
+                               : Side{forest.child(face, (side + 1) % 4), 3, forward};
   }
   [[nodiscard]] std::array<VertexId, 2> ends(const Forest& forest) const {
     const QuadCorners& v = forest.corners(face);
