@@ -115,6 +115,15 @@ void ProblemReader::read_mesh() {
     mesh.exact = placement == "exact";
     if (mesh.exact && !document_.contains("geometry"))
       fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+    table.read("smooth_start", mesh.smooth_start);
+    table.read("smoothing", mesh.smoothing);
+    if (mesh.smooth_start > 0 && !document_.contains("geometry"))
+      fail(table.place("smooth_start"),
+           "[mesh] smooth_start slides vertices on a [geometry]; it is missing");
+    if (mesh.smoothing > 0 && !mesh.exact && mesh.scheme != "kobbelt")
+      fail(table.place("smoothing"),
+           "[mesh] smoothing slides vertices on a [geometry] (placement = \"exact\") or on the "
+           "surface of the scheme \"kobbelt\"; here is neither");
   }
 }
 
@@ -179,8 +188,9 @@ void ProblemReader::read_curves() {
     curve.surface.kind = GeometrySettings::Kind::formula;
     table.read("where", curve.where);
     table.read("zero", curve.surface.zero);
-    if (!problem_.mesh.exact)
-      fail(table.place(), "a [[curve]] places vertices; it needs [mesh] placement = \"exact\"");
+    if (!problem_.mesh.exact && problem_.mesh.smooth_start == 0)
+      fail(table.place(),
+           "a [[curve]] places vertices; it needs [mesh] placement = \"exact\" or smooth_start");
   }
 }
 

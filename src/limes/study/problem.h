@@ -22,6 +22,9 @@ struct MeshSettings {
   std::string scheme = "catmull-clark";
   int levels = 0;
   bool exact = false;  ///< vertices are placed on [geometry], see GeometrySettings
+  /// Sweeps in which the shapes of elements are optimised (shells only): of the control mesh on
+  /// [geometry], and after each refinement.
+  int smooth_start = 0, smoothing = 0;
   int line = 0;
 };
 

@@ -60,6 +60,22 @@ constexpr std::array keys{
         .help = "where the vertices of a refinement go: the scheme's own rule, or halfway and then "
                 "onto the surface of [geometry] (mitc4 only)"},
 
+    Key{.table = "mesh",
+        .name = "smooth_start",
+        .type = ValueType::integer,
+        .range = from_to(0, 1000),
+        .initial = "0",
+        .help =
+            "most sweeps in which the shapes of the control faces are optimised, vertices sliding "
+            "on [geometry] (mitc4 only)"},
+    Key{.table = "mesh",
+        .name = "smoothing",
+        .type = ValueType::integer,
+        .range = from_to(0, 1000),
+        .initial = "0",
+        .help = "the same after each refinement: with placement exact on [geometry], with kobbelt "
+                "new vertices on the scheme's surface (mitc4 only)"},
+
     Key{.table = "geometry",
         .name = "kind",
         .type = ValueType::name,

@@ -87,8 +87,11 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
       problem, shell.forest, shell.seams, dofs_per_vertex, [&](const ForestMesh& mesh) {
         if (on_phase)
           on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
-        result.model =
-            shell_model_on(problem, mesh.mesh, tied_edges(shell.forest, mesh, shell.seams));
+        const std::vector<TiedEdge> tied = tied_edges(shell.forest, mesh, shell.seams);
+        ForestMesh smoothed = mesh;
+        if (problem.mesh.smoothing > 0)
+          smooth_on_surfaces(problem, shell.forest, shell.curves, tied, smoothed);
+        result.model = shell_model_on(problem, std::move(smoothed.mesh), tied);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);
         return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,

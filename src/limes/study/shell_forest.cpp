@@ -32,13 +32,19 @@ ShellForest shell_forest(const Problem& problem, const Mesh& control) {
   RefineOptions options{.levels = before,
                         .boundary = control.tags.boundary.value_or(BoundaryRule::edges)};
   const bool exact = problem.mesh.exact;
-  const Mesh start =
-      exact ? refined_on_surfaces(problem, control, before) : refine(control, scheme, options);
+  Mesh start;
+  if (exact)
+    start = refined_on_surfaces(problem, control, before);
+  else
+    start =
+        refine(problem.mesh.smooth_start > 0 ? refined_on_surfaces(problem, control, 0) : control,
+               scheme, options);
   options.levels = 0;
   ShellForest out{
       Forest(start, exact ? find_scheme("linear") : scheme, options, SplitUnit::families, {},
              exact ? exact_placement(problem, control, before) : Placement()),
-      refined_seams(control, seams_of(problem, control), before)};
+      refined_seams(control, seams_of(problem, control), before),
+      curve_edges(problem, control, before)};
   for (int level = before; level < problem.mesh.levels; ++level)
     out.forest.refine(out.forest.leaves());
   return out;

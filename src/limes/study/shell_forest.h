@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limes/study/problem.h"
+#include "limes/study/shell_placement.h"
 #include "limes/subdiv/forest_seams.h"
 
 namespace limes {
@@ -10,7 +10,8 @@ namespace limes {
 /// A forest of quadtrees on the control mesh of a shell.
 struct ShellForest {
   Forest forest;
-  std::vector<TiedEdge> seams;  ///< edges of the control mesh
+  std::vector<TiedEdge> seams;            ///< edges of the control mesh
+  std::vector<std::vector<Edge>> curves;  ///< likewise, of each [[curve]]
 };
 
 /// Every face is split as often as `levels` says. New vertices lie where build_shell_model() puts them.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "limes/adapt/limit_sliding.h"
 #include "limes/core/error.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
@@ -46,6 +47,16 @@ IdArray<HalfedgeId, Vec3> face_normals(const Mesh& mesh, const std::string& file
       out[t.halfedge(FaceId(f), i)] = n.normalized();
     }
   return out;
+}
+
+/// Optimises the shapes of elements; the vertices of the control mesh stay, others slide on the surface
+/// of the interpolatory scheme.
+void slide_on_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary, int num_control,
+                    int sweeps) {
+  constexpr int steps = 3;
+  const Mesh fine = refine(mesh, scheme, {.levels = steps, .boundary = boundary});
+  const auto node = tied_nodes(mesh.topology.num_vertices(), {});
+  improve_shapes(mesh, node, sliding_on_refinement(mesh, fine, steps, num_control), sweeps);
 }
 
 /// Limit points become nodes; returns the limit surface's normal at each corner.
@@ -216,6 +227,7 @@ ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<T
 
 ShellModel build_shell_model(const Problem& problem, Mesh control) {
   require_shell_control(problem, control);
+  if (problem.mesh.smooth_start > 0) control = refined_on_surfaces(problem, std::move(control), 0);
   const int levels = problem.mesh.levels;
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   const BoundaryRule boundary = control.tags.boundary.value_or(BoundaryRule::edges);
@@ -224,6 +236,8 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
                   : refine(control, scheme, {.levels = levels, .boundary = boundary});
   const std::string file = mesh_path(problem).string();
   require_quads(mesh, file);
+  if (problem.mesh.smoothing > 0 && !problem.mesh.exact)
+    slide_on_limit(mesh, scheme, boundary, control.topology.num_vertices(), problem.mesh.smoothing);
   IdArray<HalfedgeId, Vec3> normal;
   if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
     normal = move_to_limit(mesh, scheme, boundary, file);

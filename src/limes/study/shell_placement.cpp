@@ -4,9 +4,12 @@
 
 #include "limes/core/error.h"
 #include "limes/mesh/measure.h"
+#include "limes/study/control_mesh.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/selection.h"
+#include "limes/study/shell_smoothing.h"
 #include "limes/study/suggest.h"
+#include "limes/subdiv/forest_seams.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/split.h"
@@ -14,7 +17,6 @@
 namespace limes {
 namespace {
 
-using Edge = std::array<VertexId, 2>;
 using Surfaces = std::vector<const GeometrySettings*>;
 
 const FaceGroup& find_part(const Problem& problem, const Mesh& mesh, const std::string& name,
@@ -33,25 +35,6 @@ const FaceGroup& find_part(const Problem& problem, const Mesh& mesh, const std::
 
 void add_once(Surfaces& all, const GeometrySettings* one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
-
-/// The edges of the control mesh that follow each of the problem's curves.
-std::vector<std::vector<Edge>> curve_edges(const Problem& problem, const Mesh& mesh) {
-  const Adjacency adjacency(mesh.topology);
-  std::vector<std::vector<Edge>> out;
-  for (const CurveSettings& curve : problem.curves) {
-    const Selection chosen(mesh, adjacency, mesh.points.span(), curve.where, problem.file.string(),
-                           curve.where_line);
-    out.emplace_back();
-    for (const HalfedgeId h : chosen.boundary_edges())
-      out.back().push_back({adjacency.from(h), adjacency.to(h)});
-    if (out.back().empty())
-      throw InputError(
-          "{}:{}: '{}' selects no boundary edge of the control mesh; both ends of an "
-          "edge must be selected",
-          problem.file.string(), curve.where_line, curve.where);
-  }
-  return out;
 }
 
 /// All in the order of the problem file, so that vertices that lie on the same come to the same bits.
@@ -105,12 +88,35 @@ Vec3 placed(const Problem& problem, const Surfaces& surfaces, const Vec3& x) {
   }
 }
 
+/// So that what finds tied edges after refinement finds these.
+std::vector<TiedEdge> tied_to_themselves(const std::vector<Edge>& edges) {
+  std::vector<TiedEdge> out;
+  for (const Edge& e : edges)
+    out.push_back({e, e});
+  return out;
+}
+
+std::vector<Edge> ends_of(const std::vector<TiedEdge>& edges) {
+  std::vector<Edge> out;
+  for (const TiedEdge& e : edges)
+    out.push_back(e.ends);
+  return out;
+}
+
 void require_surfaces(const Problem& problem, const Mesh& mesh) {
   const auto of_face = geometry_of_faces(problem, mesh);
   const auto bare = std::find(of_face.begin(), of_face.end(), nullptr);
   if (bare != of_face.end())
-    throw InputError("{}:{}: placement 'exact' needs a [geometry] for every part; face {} has none",
+    throw InputError("{}:{}: every part needs a [geometry] to place vertices on; face {} has none",
                      problem.file.string(), problem.mesh.line, bare - of_face.begin());
+}
+
+void require_quads(const Problem& problem, const Mesh& mesh) {
+  for (int f = 0; f < mesh.topology.num_faces(); ++f)
+    if (mesh.topology.face_size(FaceId(f)) != 4)
+      throw InputError("{}:{}: smooth_start takes quads; face {} of {} has {} corners",
+                       problem.file.string(), problem.mesh.line, f, mesh_path(problem).string(),
+                       mesh.topology.face_size(FaceId(f)));
 }
 
 }  // namespace
@@ -164,16 +170,42 @@ std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> e
   return edges;
 }
 
+std::vector<std::vector<Edge>> curve_edges(const Problem& problem, const Mesh& control,
+                                           int levels) {
+  const Adjacency adjacency(control.topology);
+  std::vector<std::vector<Edge>> out;
+  for (const CurveSettings& curve : problem.curves) {
+    const Selection chosen(control, adjacency, control.points.span(), curve.where,
+                           problem.file.string(), curve.where_line);
+    out.emplace_back();
+    for (const HalfedgeId h : chosen.boundary_edges())
+      out.back().push_back({adjacency.from(h), adjacency.to(h)});
+    if (out.back().empty())
+      throw InputError(
+          "{}:{}: '{}' selects no boundary edge of the control mesh; both ends of an "
+          "edge must be selected",
+          problem.file.string(), curve.where_line, curve.where);
+  }
+  for (auto& edges : out)
+    edges = ends_of(refined_seams(control, tied_to_themselves(edges), levels));
+  return out;
+}
+
 Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   require_surfaces(problem, mesh);
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
-  auto curves = curve_edges(problem, mesh);
+  auto curves = curve_edges(problem, mesh, 0);
   int first_new = 0;
   for (int level = 0;; ++level) {
     const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
     for (int v = first_new; v < mesh.points.size(); ++v)
       mesh.points[VertexId(v)] =
           placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
+    const int sweeps = level == 0 ? problem.mesh.smooth_start : problem.mesh.smoothing;
+    if (sweeps > 0) {
+      require_quads(problem, mesh);
+      improve_shapes(mesh, surfaces, tied, sweeps);
+    }
     if (level == levels) return mesh;
     first_new = mesh.points.size();
     const Adjacency adjacency(mesh.topology);
@@ -184,10 +216,20 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   }
 }
 
+void smooth_on_surfaces(const Problem& problem, const Forest& forest,
+                        const std::vector<std::vector<Edge>>& curves,
+                        const std::vector<TiedEdge>& tied, ForestMesh& mesh) {
+  std::vector<std::vector<Edge>> fine;
+  for (const std::vector<Edge>& edges : curves)
+    fine.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
+  improve_shapes(mesh.mesh, surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
+                 problem.mesh.smoothing);
+}
+
 Placement exact_placement(const Problem& problem, const Mesh& control, int levels) {
   require_surfaces(problem, control);
   std::vector<TiedEdge> tied = seams_of(problem, control);
-  auto curves = curve_edges(problem, control);
+  auto curves = curve_edges(problem, control, 0);
   const auto refined = [&](const Mesh& mesh) {
     const Adjacency adjacency(mesh.topology);
     tied = split_edges(adjacency, std::span<const TiedEdge>(tied));

@@ -4,9 +4,11 @@
 
 #include "limes/mesh/seams.h"
 #include "limes/study/problem.h"
-#include "limes/subdiv/forest.h"
+#include "limes/subdiv/forest_mesh.h"
 
 namespace limes {
+
+using Edge = std::array<VertexId, 2>;
 
 /// Of each face the exact surface of its part; none: it has no exact surface.
 /// @throws InputError naming a part that the mesh does not have
@@ -22,10 +24,23 @@ namespace limes {
 [[nodiscard]] std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> edges,
                                                   int levels);
 
+/// The edges that follow each of the problem's curves, after `levels` quadrisections.
+/// @throws InputError for a curve without any
+[[nodiscard]] std::vector<std::vector<Edge>> curve_edges(const Problem& problem,
+                                                         const Mesh& control, int levels);
+
 /// Vertices halfway between others, then on the exact surface of their part, level by level: on a
-/// seam on those of all parts there, on a [[curve]] on that as well.
+/// seam on those of all parts there, on a [[curve]] on that as well. Then the shapes of elements are
+/// optimised as [mesh] says.
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
 [[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
+
+/// Optimises the shapes of elements of a mesh of a forest as [mesh] smoothing says.
+/// @param tied    its edges on seams
+/// @param curves  edges of the control mesh, see curve_edges()
+void smooth_on_surfaces(const Problem& problem, const Forest& forest,
+                        const std::vector<std::vector<Edge>>& curves,
+                        const std::vector<TiedEdge>& tied, ForestMesh& mesh);
 
 /// The same for the vertices of a forest, bitwise, which takes vertices halfway between others.
 /// @param control  as in the file; not needed any more afterwards

@@ -43,8 +43,8 @@ Vec3 nearest(const Surfaces& surfaces, const Vec3& x) {
 
 }  // namespace
 
-SmoothingResult smooth_on_surfaces(Mesh& mesh, const std::vector<Surfaces>& surfaces,
-                                   const std::vector<TiedEdge>& tied, int sweeps) {
+SmoothingResult improve_shapes(Mesh& mesh, const std::vector<Surfaces>& surfaces,
+                               const std::vector<TiedEdge>& tied, int sweeps) {
   const auto node = tied_nodes(mesh.topology.num_vertices(), tied);
   const auto stays = staying_vertices(mesh, surfaces, node);
   const auto of = [&](VertexId v) -> const Surfaces& {

@@ -13,8 +13,8 @@ namespace limes {
 /// they stay. So do corners: vertices on something that a neighbour along the border is not on.
 /// @param surfaces  of each vertex what it lies on; those of tied vertices are the same
 /// @pre all faces are quads
-SmoothingResult smooth_on_surfaces(
-    Mesh& mesh, const std::vector<std::vector<const GeometrySettings*>>& surfaces,
-    const std::vector<TiedEdge>& tied, int sweeps);
+SmoothingResult improve_shapes(Mesh& mesh,
+                               const std::vector<std::vector<const GeometrySettings*>>& surfaces,
+                               const std::vector<TiedEdge>& tied, int sweeps);
 
 }  // namespace limes
