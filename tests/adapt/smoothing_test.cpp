@@ -17,6 +17,7 @@ namespace {
 using Directions = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
 constexpr int n = 8;
+const std::vector<double> equal(n* n, 1.0);  // areas
 
 /// n x n quads, corner (i, j) at place(i, j).
 template <class Place>
@@ -64,7 +65,7 @@ TEST(Smoothing, PlaneGridBecomesSquares) {
         return Directions(Mat3::Identity().leftCols(inside(i) && inside(j) ? 2 : 0));
       },
       [](VertexId, const Vec3& x) { return x; }};
-  const SmoothingResult result = improve_shapes(mesh, untied(mesh), sliding, 200);
+  const SmoothingResult result = improve_shapes(mesh, equal, untied(mesh), sliding, 200);
   EXPECT_GT(result.worst_before, 2);
   EXPECT_LT(result.worst_after, 1 + 1e-3);
   EXPECT_LT(result.sweeps, 60);
@@ -97,7 +98,7 @@ TEST(Smoothing, VerticesSlideOnCylinderAndAlongItsBorders) {
                           const double r = std::hypot(x.x(), x.z());
                           return Vec3(x.x() / r, x.y(), x.z() / r);
                         }};
-  const SmoothingResult result = improve_shapes(mesh, untied(mesh), sliding, 300);
+  const SmoothingResult result = improve_shapes(mesh, equal, untied(mesh), sliding, 300);
   EXPECT_GT(result.worst_before, 1.5);
   EXPECT_LT(result.worst_after, 1 + 1e-3);
   for (const Vec3& x : mesh.points)
@@ -133,8 +134,8 @@ TEST(Smoothing, TiedVerticesStayTogether) {
         return Directions(Mat3::Identity().leftCols(inside(i) && inside(j) ? 2 : 0));
       },
       [](VertexId, const Vec3& x) { return x; }};
-  improve_shapes(whole, untied(whole), sliding, 5);
-  improve_shapes(parts, tied_nodes(parts.topology.num_vertices(), tied), sliding, 5);
+  improve_shapes(whole, equal, untied(whole), sliding, 5);
+  improve_shapes(parts, equal, tied_nodes(parts.topology.num_vertices(), tied), sliding, 5);
   for (int v = 0; v < whole.points.size(); ++v)
     EXPECT_EQ(parts.points[VertexId(v)], whole.points[VertexId(v)]) << v;
   for (int j = 0; j <= n; ++j)
@@ -153,15 +154,15 @@ TEST(Smoothing, NoCornerTurnsOver) {
         return Directions(Mat3::Identity().leftCols(inside(i) && inside(j) ? 2 : 0));
       },
       [](VertexId, const Vec3& x) { return x; }};
-  double before = improve_shapes(mesh, untied(mesh), sliding, 0).worst_after;
+  double before = improve_shapes(mesh, equal, untied(mesh), sliding, 0).worst_after;
   ASSERT_TRUE(std::isfinite(before));
   for (int sweep = 0; sweep < 20; ++sweep)
-    EXPECT_TRUE(std::isfinite(improve_shapes(mesh, untied(mesh), sliding, 1).worst_after));
+    EXPECT_TRUE(std::isfinite(improve_shapes(mesh, equal, untied(mesh), sliding, 1).worst_after));
   EXPECT_LT(worst_distortion(mesh), 1.1);
 
   Mesh folded = grid([](int i, int j) { return Vec3(i == 3 && j == 3 ? 5.5 : i, j, 0); });
   const Vec3 x = folded.points[VertexId(3 * (n + 1) + 3)];
-  improve_shapes(folded, untied(folded), sliding, 3);
+  improve_shapes(folded, equal, untied(folded), sliding, 3);
   EXPECT_EQ(folded.points[VertexId(3 * (n + 1) + 3)], x);
 }
 

@@ -12,39 +12,42 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Sum of distortions as a function of one vertex, to second order.
-struct Distortion {
+/// The sum that is made less, as a function of one vertex, to second order.
+struct Objective {
   double value = 0;
   Vec3 gradient = Vec3::Zero();
   Mat3 hessian = Mat3::Zero();
 
-  /// Adds f / g, with f = |a|^2 + |b|^2 of Hessian c times identity, and g linear.
+  /// Adds f^3 / g, with f of Hessian c times identity, and g linear.
   void add(double f, const Vec3& df, double c, double g, const Vec3& dg) {
     if (!(g > 0)) {
       value = infinity;
       return;
     }
-    const double q = f / g;
-    const Vec3 dq = (df - q * dg) / g;
+    const double q = f * f * f / g;
+    const Vec3 log_f = df / f, log_g = dg / g, slope = 3 * log_f - log_g;  // of logarithms
     value += q;
-    gradient += dq;
-    hessian += (c * Mat3::Identity() - dq * dg.transpose() - dg * dq.transpose()) / g;
+    gradient += q * slope;
+    hessian += q * (slope * slope.transpose() + 3 * c / f * Mat3::Identity() -
+                    3 * log_f * log_f.transpose() + log_g * log_g.transpose());
   }
 };
 
 /// The corners of one face that its corner x is part of; o is the one opposite.
 struct FacePart {
   Vec3 next, opposite, previous, normal;
+  double size;  ///< square root of its area
 
-  void add_to(Distortion& sum, const Vec3& x) const {
-    const Vec3 a = next - x, b = previous - x;
-    const Vec3 c = opposite - next, d = opposite - previous;
-    sum.add(a.squaredNorm() + b.squaredNorm(), -2 * (a + b), 4, 2 * normal.dot(a.cross(b)),
-            2 * normal.cross(b - a));
-    sum.add(c.squaredNorm() + a.squaredNorm(), -2 * a, 2, -2 * normal.dot(c.cross(a)),
-            2 * normal.cross(c));
-    sum.add(b.squaredNorm() + d.squaredNorm(), -2 * b, 2, -2 * normal.dot(b.cross(d)),
-            2 * d.cross(normal));
+  void add_to(Objective& sum, const Vec3& x) const {
+    const Vec3 a = (next - x) / size, b = (previous - x) / size;
+    const Vec3 c = (opposite - next) / size, d = (opposite - previous) / size;
+    const double s = 1 / size;
+    sum.add(a.squaredNorm() + b.squaredNorm(), -2 * s * (a + b), 4 * s * s,
+            2 * normal.dot(a.cross(b)), 2 * s * normal.cross(b - a));
+    sum.add(c.squaredNorm() + a.squaredNorm(), -2 * s * a, 2 * s * s, -2 * normal.dot(c.cross(a)),
+            2 * s * normal.cross(c));
+    sum.add(b.squaredNorm() + d.squaredNorm(), -2 * s * b, 2 * s * s, -2 * normal.dot(b.cross(d)),
+            2 * s * d.cross(normal));
   }
 };
 
@@ -60,8 +63,10 @@ using Corner = std::pair<FaceId, int>;
 
 class Smoother {
  public:
-  Smoother(Mesh& mesh, const IdArray<VertexId, VertexId>& node, const Sliding& sliding)
+  Smoother(Mesh& mesh, const std::vector<double>& areas, const IdArray<VertexId, VertexId>& node,
+           const Sliding& sliding)
       : mesh_(mesh),
+        areas_(areas),
         node_(node),
         sliding_(sliding),
         corners_(static_cast<std::size_t>(node.size())),
@@ -90,25 +95,26 @@ class Smoother {
       const auto at = [&, i = i](int k) {
         return mesh_.points[corner[static_cast<std::size_t>((i + k) % 4)]];
       };
-      out.push_back({at(1), at(2), at(3), normal_of(mesh_, f)});
+      out.push_back({at(1), at(2), at(3), normal_of(mesh_, f),
+                     std::sqrt(areas_[static_cast<std::size_t>(f.value)])});
     }
     return out;
   }
 
-  static Distortion distortion(const std::vector<FacePart>& parts, const Vec3& x) {
-    Distortion sum;
+  static Objective objective(const std::vector<FacePart>& parts, const Vec3& x) {
+    Objective sum;
     for (const FacePart& part : parts)
       part.add_to(sum, x);
     return sum;
   }
 
   /// Downhill in the given directions: Newton's step with the absolute eigenvalues.
-  static Vec3 step_of(const Distortion& d, const Eigen::Matrix<double, 3, Eigen::Dynamic>& T) {
-    const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(T.transpose() * d.hessian * T);
+  static Vec3 step_of(const Objective& sum, const Eigen::Matrix<double, 3, Eigen::Dynamic>& T) {
+    const Eigen::SelfAdjointEigenSolver<MatrixX> eigen(T.transpose() * sum.hessian * T);
     const VectorX size =
         eigen.eigenvalues().cwiseAbs().cwiseMax(1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff());
     const MatrixX& V = eigen.eigenvectors();
-    return -(T * (V * (V.transpose() * (T.transpose() * d.gradient)).cwiseQuotient(size)));
+    return -(T * (V * (V.transpose() * (T.transpose() * sum.gradient)).cwiseQuotient(size)));
   }
 
   double move(VertexId v) {
@@ -116,7 +122,7 @@ class Smoother {
     const auto directions = sliding_.directions(v, x);
     if (directions.cols() == 0) return 0;
     const std::vector<FacePart> parts = parts_of(v);
-    const Distortion here = distortion(parts, x);
+    const Objective here = objective(parts, x);
     if (!std::isfinite(here.value)) return 0;
     double longest = 0;
     for (const FacePart& part : parts)
@@ -127,7 +133,7 @@ class Smoother {
     constexpr double shortest = 1e-6;  // of the longest side
     for (; step.norm() > shortest * longest; step /= 2) {
       const Vec3 there = sliding_.placed(v, x + step);
-      if (!(distortion(parts, there).value < here.value)) continue;
+      if (!(objective(parts, there).value < here.value)) continue;
       for (const VertexId w : vertices_[v])
         mesh_.points[w] = there;
       return (there - x).norm() / longest;
@@ -136,6 +142,7 @@ class Smoother {
   }
 
   Mesh& mesh_;
+  const std::vector<double>& areas_;
   const IdArray<VertexId, VertexId>& node_;
   const Sliding& sliding_;
   IdArray<VertexId, std::vector<Corner>> corners_;     // of nodes
@@ -161,12 +168,26 @@ double worst_distortion(const Mesh& quads) {
   return worst;
 }
 
-SmoothingResult improve_shapes(Mesh& quads, const IdArray<VertexId, VertexId>& node,
-                               const Sliding& sliding, int sweeps) {
+std::vector<double> face_areas(const Mesh& quads) {
+  std::vector<double> out;
+  for (int f = 0; f < quads.topology.num_faces(); ++f) {
+    const auto corner = quads.topology.face(FaceId(f));
+    const auto from_first = [&](std::size_t k) {
+      return Vec3(quads.points[corner[k]] - quads.points[corner[0]]);
+    };
+    out.push_back(0.5 * (from_first(1).cross(from_first(2)).norm() +
+                         from_first(2).cross(from_first(3)).norm()));
+  }
+  return out;
+}
+
+SmoothingResult improve_shapes(Mesh& quads, const std::vector<double>& areas,
+                               const IdArray<VertexId, VertexId>& node, const Sliding& sliding,
+                               int sweeps) {
   constexpr double settled = 1e-3;
   SmoothingResult result;
   result.worst_before = worst_distortion(quads);
-  Smoother smoother(quads, node, sliding);
+  Smoother smoother(quads, areas, node, sliding);
   while (result.sweeps < sweeps) {
     ++result.sweeps;
     if (smoother.sweep() < settled) break;

@@ -30,15 +30,23 @@ struct SmoothingResult {
 /// Largest distortion of any corner, seen along the normals of the faces.
 [[nodiscard]] double worst_distortion(const Mesh& quads);
 
-/// Optimises the shapes of elements: moves each vertex in turn so that the sum of the distortions of
-/// the corners that it is part of becomes less, by a Newton step in its directions, shortened until it
-/// does. So no sum grows and no corner turns over; vertices of corners that are turned over stay.
-/// Ends after `sweeps` rounds, or when no vertex moves by a thousandth of its longest side.
+/// Areas of the faces, each as two triangles.
+[[nodiscard]] std::vector<double> face_areas(const Mesh& quads);
+
+/// Optimises the shapes of elements: moves each vertex in turn so that the sum over the corners that it
+/// is part of, of
+///     distortion * ((|a|^2 + |b|^2) / area)^2,
+/// becomes less, by a Newton step in its directions, shortened until it does. The second factor is
+/// what keeps sizes: distortions alone are least in conformal meshes, whose faces at a border's corner
+/// grow without bound. No sum grows and no corner turns over; vertices of corners that are turned over
+/// stay. Ends after `sweeps` rounds, or when no vertex moves by a thousandth of its longest side.
 ///
-/// @param node  the lowest vertex that each is tied to, which move together; see tied_nodes()
+/// @param areas  that the faces should have, > 0; only their ratios count
+/// @param node   the lowest vertex that each is tied to, which move together; see tied_nodes()
 /// Serial, in order of the vertices: the result does not depend on threads.
 /// @pre all faces are quads
-SmoothingResult improve_shapes(Mesh& quads, const IdArray<VertexId, VertexId>& node,
-                               const Sliding& sliding, int sweeps);
+SmoothingResult improve_shapes(Mesh& quads, const std::vector<double>& areas,
+                               const IdArray<VertexId, VertexId>& node, const Sliding& sliding,
+                               int sweeps);
 
 }  // namespace limes

@@ -55,7 +55,7 @@ SmoothingResult improve_shapes(Mesh& mesh, const std::vector<Surfaces>& surfaces
                                           : directions_on(of(v), x);
                         },
                         [&](VertexId v, const Vec3& x) { return nearest(of(v), x); }};
-  return improve_shapes(mesh, node, sliding, sweeps);
+  return improve_shapes(mesh, face_areas(mesh), node, sliding, sweeps);
 }
 
 }  // namespace limes
