@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "limes/mesh/measure.h"
+
 namespace limes {
 namespace {
 
@@ -168,16 +170,10 @@ double worst_distortion(const Mesh& quads) {
   return worst;
 }
 
-std::vector<double> face_areas(const Mesh& quads) {
+std::vector<double> face_areas(const Mesh& mesh) {
   std::vector<double> out;
-  for (int f = 0; f < quads.topology.num_faces(); ++f) {
-    const auto corner = quads.topology.face(FaceId(f));
-    const auto from_first = [&](std::size_t k) {
-      return Vec3(quads.points[corner[k]] - quads.points[corner[0]]);
-    };
-    out.push_back(0.5 * (from_first(1).cross(from_first(2)).norm() +
-                         from_first(2).cross(from_first(3)).norm()));
-  }
+  for (int f = 0; f < mesh.topology.num_faces(); ++f)
+    out.push_back(face_area(mesh, FaceId(f)).area);
   return out;
 }
 

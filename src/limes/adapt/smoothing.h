@@ -30,8 +30,8 @@ struct SmoothingResult {
 /// Largest distortion of any corner, seen along the normals of the faces.
 [[nodiscard]] double worst_distortion(const Mesh& quads);
 
-/// Areas of the faces, each as two triangles.
-[[nodiscard]] std::vector<double> face_areas(const Mesh& quads);
+/// Of every face, whatever its number of corners.
+[[nodiscard]] std::vector<double> face_areas(const Mesh& mesh);
 
 /// Optimises the shapes of elements: moves each vertex in turn so that the sum over the corners that it
 /// is part of, of

@@ -56,7 +56,8 @@ void slide_on_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary, int
   constexpr int steps = 3;
   const Mesh fine = refine(mesh, scheme, {.levels = steps, .boundary = boundary});
   const auto node = tied_nodes(mesh.topology.num_vertices(), {});
-  improve_shapes(mesh, face_areas(mesh), node, sliding_on_refinement(mesh, fine, steps, num_control), sweeps);
+  improve_shapes(mesh, face_areas(mesh), node,
+                 sliding_on_refinement(mesh, fine, steps, num_control), sweeps);
 }
 
 /// Limit points become nodes; returns the limit surface's normal at each corner.

@@ -111,6 +111,16 @@ void require_surfaces(const Problem& problem, const Mesh& mesh) {
                      problem.file.string(), problem.mesh.line, bare - of_face.begin());
 }
 
+/// Equal parts for every corner's child.
+std::vector<double> areas_of_children(const Topology& t, const std::vector<double>& areas) {
+  std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(t.num_corners()));
+  for (int f = 0; f < t.num_faces(); ++f)
+    out.insert(out.end(), static_cast<std::size_t>(t.face_size(FaceId(f))),
+               areas[static_cast<std::size_t>(f)] / t.face_size(FaceId(f)));
+  return out;
+}
+
 void require_quads(const Problem& problem, const Mesh& mesh) {
   for (int f = 0; f < mesh.topology.num_faces(); ++f)
     if (mesh.topology.face_size(FaceId(f)) != 4)
@@ -195,16 +205,18 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   require_surfaces(problem, mesh);
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh, 0);
+  std::vector<double> areas;  // that faces should have: equal parts of those of the control mesh
   int first_new = 0;
   for (int level = 0;; ++level) {
     const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
     for (int v = first_new; v < mesh.points.size(); ++v)
       mesh.points[VertexId(v)] =
           placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
+    if (level == 0) areas = face_areas(mesh);
     const int sweeps = level == 0 ? problem.mesh.smooth_start : problem.mesh.smoothing;
     if (sweeps > 0) {
       require_quads(problem, mesh);
-      improve_shapes(mesh, surfaces, tied, sweeps);
+      improve_shapes(mesh, areas, surfaces, tied, sweeps);
     }
     if (level == levels) return mesh;
     first_new = mesh.points.size();
@@ -212,6 +224,7 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
     tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
     for (auto& edges : curves)
       edges = split_edges(adjacency, std::span<const Edge>(edges));
+    areas = areas_of_children(mesh.topology, areas);
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
   }
 }
@@ -222,7 +235,8 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
   std::vector<std::vector<Edge>> fine;
   for (const std::vector<Edge>& edges : curves)
     fine.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
-  improve_shapes(mesh.mesh, surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
+  improve_shapes(mesh.mesh, face_areas(mesh.mesh),
+                 surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
                  problem.mesh.smoothing);
 }
 

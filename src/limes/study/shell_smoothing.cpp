@@ -43,7 +43,8 @@ Vec3 nearest(const Surfaces& surfaces, const Vec3& x) {
 
 }  // namespace
 
-SmoothingResult improve_shapes(Mesh& mesh, const std::vector<Surfaces>& surfaces,
+SmoothingResult improve_shapes(Mesh& mesh, const std::vector<double>& areas,
+                               const std::vector<Surfaces>& surfaces,
                                const std::vector<TiedEdge>& tied, int sweeps) {
   const auto node = tied_nodes(mesh.topology.num_vertices(), tied);
   const auto stays = staying_vertices(mesh, surfaces, node);
@@ -55,7 +56,7 @@ SmoothingResult improve_shapes(Mesh& mesh, const std::vector<Surfaces>& surfaces
                                           : directions_on(of(v), x);
                         },
                         [&](VertexId v, const Vec3& x) { return nearest(of(v), x); }};
-  return improve_shapes(mesh, face_areas(mesh), node, sliding, sweeps);
+  return improve_shapes(mesh, areas, node, sliding, sweeps);
 }
 
 }  // namespace limes
