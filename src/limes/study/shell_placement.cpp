@@ -113,6 +113,22 @@ void require_surfaces(const Problem& problem, const Mesh& mesh) {
                      problem.file.string(), problem.mesh.line, bare - of_face.begin());
 }
 
+/// Vertices of the quads of the coarse mesh, whose sides are placed.
+void start_between_sides(const Adjacency& coarse, Mesh& mesh) {
+  const QuadrisectionIds ids = quadrisection_ids(coarse);
+  for (int f = 0; f < coarse.topology().num_faces(); ++f) {
+    const auto face = coarse.topology().face(FaceId(f));
+    if (face.size() != 4) continue;
+    std::array<Vec3, 4> corners, middles;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfedgeId h = coarse.topology().halfedge(FaceId(f), static_cast<int>(i));
+      corners[i] = mesh.points[face[i]];
+      middles[i] = mesh.points[ids.of_edge(coarse.edge(h))];
+    }
+    mesh.points[ids.of_face(FaceId(f))] = between_sides(corners, middles);
+  }
+}
+
 }  // namespace
 
 std::vector<const GeometrySettings*> geometry_of_faces(const Problem& problem, const Mesh& mesh) {
@@ -168,20 +184,27 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   require_surfaces(problem, mesh);
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh);
-  int first_new = 0;
-  for (int level = 0;; ++level) {
-    const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-    for (int v = first_new; v < mesh.points.size(); ++v)
+  auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+  const auto place = [&](int first, int last) {
+    for (int v = first; v < last; ++v)
       mesh.points[VertexId(v)] =
           placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
-    if (level == levels) return mesh;
-    first_new = mesh.points.size();
-    const Adjacency adjacency(mesh.topology);
+  };
+  place(0, mesh.points.size());
+  for (int level = 0; level < levels; ++level) {
+    const Topology coarse = mesh.topology;
+    const Adjacency adjacency(coarse);
     tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
     for (auto& edges : curves)
       edges = split_edges(adjacency, std::span<const Edge>(edges));
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+    surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+    const int first_of_faces = coarse.num_vertices() + adjacency.num_edges();
+    place(coarse.num_vertices(), first_of_faces);
+    start_between_sides(adjacency, mesh);
+    place(first_of_faces, mesh.points.size());
   }
+  return mesh;
 }
 
 Placement exact_placement(const Problem& problem, const Mesh& control, int levels) {

@@ -22,8 +22,8 @@ namespace limes {
 [[nodiscard]] std::vector<TiedEdge> refined_seams(const Mesh& control, std::vector<TiedEdge> edges,
                                                   int levels);
 
-/// Vertices halfway between others, then on the exact surface of their part, level by level: on a
-/// seam on those of all parts there, on a [[curve]] on that as well.
+/// Vertices halfway between others (of quads see between_sides()), then on the exact surface of their
+/// part, level by level: on a seam on those of all parts there, on a [[curve]] on that as well.
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
 [[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
 
