@@ -65,14 +65,13 @@ std::vector<RecoveryPatch> recovery_patches(const Adjacency& adjacency, const Jo
 
 VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
                          const MatrixX& values) {
-  const double size = std::max(at.cwiseAbs().maxCoeff(), 1e-300);
-  MatrixX A(at.rows(), 3);
-  A.col(0).setOnes();
-  A.rightCols<2>() = at / size;
+  const Eigen::RowVector2d middle = at.colwise().mean();
+  const Eigen::RowVectorXd mean = values.colwise().mean();
   Eigen::CompleteOrthogonalDecomposition<MatrixX> fit;
   fit.setThreshold(1e-6);  // places on one line say nothing across it
-  fit.compute(A);
-  return fit.solve(values).row(0).transpose();
+  fit.compute(at.rowwise() - middle);
+  const MatrixX slope = fit.solve(MatrixX(values.rowwise() - mean));
+  return (mean - middle * slope).transpose();
 }
 
 }  // namespace limes

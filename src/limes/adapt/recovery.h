@@ -22,14 +22,14 @@ struct RecoveryPatch {
   std::vector<FaceId> faces;        ///< those of the corners first
 };
 
-/// Every corner of every face is in exactly one patch. Where fewer than four faces are joined around a
+/// Every corner of every face is in exactly one patch. Where fewer than three faces are joined around a
 /// vertex, as on a boundary, the patch grows by the faces joined to its own, ring by ring, until it has
-/// four or there are no more.
+/// three or there are no more.
 [[nodiscard]] std::vector<RecoveryPatch> recovery_patches(const Adjacency& adjacency,
                                                           const JoinsFaces& joined);
 
-/// Value at the origin of the linear function that fits samples best; the smallest such function where
-/// they leave several.
+/// Value at the origin of the linear function that fits samples best; of several, the one with the
+/// least slope.
 /// @param at      places, (m, 2)
 /// @param values  (m, c)
 /// @return        (c)
