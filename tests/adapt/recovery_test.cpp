@@ -65,6 +65,38 @@ TEST(Recovery, PatchesEndWhereFacesAreNotJoined) {
   }
 }
 
+// On 4 x 3 squares the vertex (0, 1) takes its values from (1, 1) and (1, 2) and (1, 0) if that is
+// inner: a border's vertices take none from each other, and a corner takes them from the only inner
+// vertex of its face.
+TEST(Recovery, BordersAreRecoveredFromInside) {
+  const Mesh mesh = squares(4, 3);
+  const Adjacency adjacency(mesh.topology);
+  const auto patches = recovery_patches(adjacency, all);
+  const auto sources = recovering_patches(adjacency, patches);
+  ASSERT_EQ(sources.size(), patches.size());
+  const auto points_of = [&](const Vec3& x) {
+    std::set<std::pair<double, double>> out;
+    for (std::size_t i = 0; i < patches.size(); ++i)
+      if (mesh.points[patches[i].vertex] == x)
+        for (const int k : sources[i]) {
+          const Vec3& at = mesh.points[patches[static_cast<std::size_t>(k)].vertex];
+          out.emplace(at.x(), at.y());
+        }
+    return out;
+  };
+  using Points = std::set<std::pair<double, double>>;
+  EXPECT_EQ(points_of(Vec3(0, 0, 0)), (Points{{1, 1}}));
+  EXPECT_EQ(points_of(Vec3(0, 1, 0)), (Points{{1, 1}, {1, 2}}));
+  EXPECT_EQ(points_of(Vec3(2, 0, 0)), (Points{{1, 1}, {2, 1}, {3, 1}}));
+  EXPECT_EQ(points_of(Vec3(2, 1, 0)), (Points{{2, 1}}));
+
+  const Mesh strip = squares(3, 1);  // no inner vertex
+  const Adjacency of_strip(strip.topology);
+  const auto own = recovering_patches(of_strip, recovery_patches(of_strip, all));
+  for (std::size_t i = 0; i < own.size(); ++i)
+    EXPECT_EQ(own[i], (std::vector<int>{static_cast<int>(i)}));
+}
+
 TEST(Recovery, AFitOfALinearFunctionIsExact) {
   Eigen::Matrix<double, Eigen::Dynamic, 2> at(5, 2);
   at << 0.1, 0.2, -0.3, 0.1, 0.5, -0.4, -0.2, -0.6, 0.7, 0.3;

@@ -137,7 +137,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.adapt->max_steps, 12);
   EXPECT_EQ(p.adapt->max_seconds, 60);
   EXPECT_EQ(p.adapt->reference_energy, 1.5);
-  EXPECT_EQ(p.adapt->line, 24);
+  EXPECT_EQ(p.adapt->line, 26);
 }
 
 TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
@@ -156,7 +156,7 @@ TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
          "p.toml:18: ", "right is source or flux");
   expect(changed(scalar, "conductivity", "young"), "p.toml:12: ", "kind = \"poisson\"");
   expect(changed(scalar, "\"linear\"", "\"catmull-clark\""),
-         "p.toml:24: ", "[mesh] scheme = \"linear\"");
+         "p.toml:26: ", "[mesh] scheme = \"linear\"");
   expect(scalar.substr(0, scalar.find("[adapt]")).replace(scalar.find("\"linear\""), 8, "\"loop\""),
          "p.toml:8: ", "[mesh] scheme = \"linear\"");
   expect(elastic + "[[load]]\nwhere = \"all\"\nsource = 1\n", "p.toml:11: ", "use forces");
