@@ -27,11 +27,11 @@ class ShellLoad {
         return along_edges(f);
       case LoadKind::force_per_area:
       case LoadKind::force_per_volume:
+      case LoadKind::pressure:
+        return on_faces(f);
       case LoadKind::source:
       case LoadKind::flux:
         break;  // refused by the reader of the file
-      case LoadKind::pressure:
-        return on_faces(f);
     }
   }
 
