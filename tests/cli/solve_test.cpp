@@ -109,6 +109,18 @@ TEST_F(Solve, GivesTheSameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(read_file(folder / "1" + name), read_file(folder / "2" + name)) << name;
 }
 
+TEST_F(Solve, AdaptsToTheSameBytesForAnyNumberOfThreads) {
+  for (const char* name : {"l_shape", "cook"}) {
+    for (const char* threads : {"1", "2"})
+      ASSERT_EQ(run_limes({"solve", data_file(std::string(name) + ".toml"), "-o", folder / threads,
+                           "--threads", threads, "--set", "adapt.max_dofs=1000"})
+                    .exit_code,
+                0);
+    for (const char* file : {"/result.vtu", "/adapted-mesh.png", "/report.html"})
+      EXPECT_EQ(read_file(folder / "1" + file), read_file(folder / "2" + file)) << name << file;
+  }
+}
+
 TEST_F(Solve, HomogenisesAPeriodicCell) {
   // Without holes and grains of another stiffness the cell is homogeneous: plane stress, E = 1,
   // nu = 0.3, so C1111 = 1 / 0.91, C1122 = 0.3 / 0.91, C1212 = 1 / 2.6.

@@ -79,6 +79,12 @@ inline const std::string& full_parts() {
   return text;
 }
 
+/// Poisson's equation, refined adaptively, with the keys that only those have.
+inline const std::string& full_poisson() {
+  static const std::string text = whole_file("full_poisson.toml");
+  return text;
+}
+
 /// A small valid problem as lines of tables, to change one of them.
 class Draft {
  public:
@@ -136,6 +142,16 @@ class Draft {
       erase(table, "fix");
       set(table, "kind", "\"supported\"");
     }
+    if (key == "conductivity" || key == "value" || key == "source" || key == "flux") {
+      set("mesh", "scheme", "\"linear\"");
+      set("model", "kind", "\"poisson\"");
+      erase("material", "young");
+      erase("material", "poisson");
+      set("material", "conductivity", "1");
+      erase("support", "fix");
+      set("support", "value", "0");
+    }
+    if (table == "adapt") set("mesh", "scheme", "\"linear\"");
     if (table == "probe") set(table, "name", "\"a\""), set(table, "at", "[0, 0]");
     if (table == "periodic") set(table, "gradient", "[[1, 0], [0, 1]]");
   }

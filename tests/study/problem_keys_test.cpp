@@ -16,7 +16,7 @@ namespace {
 
 TEST(ProblemKeys, EveryAvailableKeyIsInTheFullExample) {
   std::set<std::string> seen;
-  std::istringstream lines{full() + full_shell() + full_graph() + full_parts()};
+  std::istringstream lines{full() + full_shell() + full_graph() + full_parts() + full_poisson()};
   std::string table;
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.substr(0, line.find(" ="));
@@ -179,7 +179,8 @@ TEST(ProblemKeys, EveryRangeHasItsEnds) {
       EXPECT_FALSE(accepts(key.range.high + step)) << name;
     }
   }
-  EXPECT_EQ(ranges, 9);
+  EXPECT_EQ(ranges, 16);
 }
+
 }  // namespace
 }  // namespace limes

@@ -105,7 +105,6 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
        "--set probe.0.at.2: ",
        {"no entry 2 of the list; they count from 0 to 1"}},
       {"probe.0.at.q=1", "--set probe.0.at.q: ", {"'q' is no number of an entry"}},
-      {"adapt.mark=0.5", "--set adapt.mark: ", {"[adapt] is not available yet"}},
       {"a\nb=1", "--set a?b: ", {"a problem has no 'a?b'"}},
       {"title=\xff", "--set ", {"no valid UTF-8"}},
   };
@@ -119,6 +118,7 @@ TEST(Overrides, PathsThatDoNotExistAreWrongUsage) {
 
 TEST(Overrides, ValuesThatDoNotFitNameTheOverride) {
   const std::vector<WrongOverride> all{
+      {"adapt.mark=0.5", "--set adapt.mark: ", {"is 0.5; it must be one of doerfler"}},
       {"mesh.levels=99",
        "--set mesh.levels: ",
        {"[mesh] levels is 99; it must be an integer from 0 to 12"}},

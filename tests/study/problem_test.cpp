@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -118,6 +119,60 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.loads.at(0).kind, LoadKind::moment);
 }
 
+TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
+  const Problem p = parse(full_poisson());
+  EXPECT_EQ(p.model.kind, ModelKind::poisson);
+  EXPECT_EQ(p.materials.at(0).conductivity, 2.5);
+  EXPECT_EQ(p.supports.at(0).kind, SupportKind::value);
+  EXPECT_EQ(p.supports.at(0).value(Vec3(0, 2, 0)), 3);
+  EXPECT_EQ(p.loads.at(0).kind, LoadKind::source);
+  EXPECT_EQ(p.loads.at(0).value[0](Vec3(1, 0, 0)), std::sin(1.0));
+  EXPECT_EQ(p.loads.at(1).kind, LoadKind::flux);
+  EXPECT_EQ(p.loads.at(1).value[0](Vec3(1, 0, 0)), -3);
+  ASSERT_TRUE(p.adapt);
+  EXPECT_EQ(p.adapt->mark, MarkingKind::fraction);
+  EXPECT_EQ(p.adapt->share, 0.25);
+  EXPECT_EQ(p.adapt->target_error, 0.01);
+  EXPECT_EQ(p.adapt->max_dofs, 5000);
+  EXPECT_EQ(p.adapt->max_steps, 12);
+  EXPECT_EQ(p.adapt->max_seconds, 60);
+  EXPECT_EQ(p.adapt->reference_energy, 1.5);
+  EXPECT_EQ(p.adapt->line, 26);
+}
+
+TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
+  const std::string elastic = Draft().text();
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  const auto expect = [](const std::string& text, const std::string& beginning,
+                         const std::string& part) {
+    expect_message(message_of<InputError>(text), beginning, {part});
+  };
+  const std::string& scalar = full_poisson();
+  expect(changed(scalar, "value = \"1 + y\"", "fix = [\"ux\"]"), "p.toml:14: ", "right is value");
+  expect(changed(scalar, "source = \"sin(x)\"", "force = [0, 0]"),
+         "p.toml:18: ", "right is source or flux");
+  expect(changed(scalar, "conductivity", "young"), "p.toml:12: ", "kind = \"poisson\"");
+  expect(changed(scalar, "\"linear\"", "\"catmull-clark\""),
+         "p.toml:26: ", "[mesh] scheme = \"linear\"");
+  expect(scalar.substr(0, scalar.find("[adapt]")).replace(scalar.find("\"linear\""), 8, "\"loop\""),
+         "p.toml:8: ", "[mesh] scheme = \"linear\"");
+  expect(elastic + "[[load]]\nwhere = \"all\"\nsource = 1\n", "p.toml:11: ", "use forces");
+  expect(elastic + "[[support]]\nwhere = \"all\"\nvalue = 1\n", "p.toml:11: ", "use fix");
+  expect(elastic + "[adapt]\n", "p.toml:11: ", "[mesh] scheme = \"linear\"");
+  expect(full() + "\n[adapt]\n", "p.toml:", "a periodic cell cannot be refined adaptively yet");
+  expect(full_shell() + "\n[adapt]\n", "p.toml:", "shells cannot be refined adaptively yet");
+  for (const char* needed : {"young", "poisson"}) {
+    Draft draft;
+    draft.erase("material", needed);
+    expect(draft.text(),
+           fmt::format("p.toml:{}: [material] {} is missing", draft.line("material", ""), needed),
+           "required");
+  }
+}
+
 TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
   const std::string text = Draft().text();
   for (const char* kind : {"sphere", "graph"})
@@ -158,6 +213,7 @@ TEST(Problem, KeysOfAnotherKindAreRefused) {
 TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
   const Problem p = parse(Draft().text());
   const GeometrySettings geometry;
+  const AdaptSettings adapt;
   const auto vector = [](const Vec3& v) {
     return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
   };
@@ -175,7 +231,14 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"model shear_factor", p.model.shear_factor == 5.0 / 6.0 ? "5/6" : "?"},
       {"model kink_angle", fmt::format("{}", p.model.kink_angle)},
       {"support rotation", p.supports.at(0).hard ? "hard" : "soft"},
-      {"material thickness", fmt::format("{}", p.materials.at(0).thickness)}};
+      {"material thickness", fmt::format("{}", p.materials.at(0).thickness)},
+      {"material conductivity", fmt::format("{}", p.materials.at(0).conductivity)},
+      {"adapt estimator",
+       adapt.estimator == EstimatorKind::zienkiewicz_zhu ? "zienkiewicz-zhu" : "?"},
+      {"adapt mark", adapt.mark == MarkingKind::doerfler ? "doerfler" : "?"},
+      {"adapt share", fmt::format("{}", adapt.share)},
+      {"adapt max_dofs", fmt::format("{}", adapt.max_dofs)},
+      {"adapt max_steps", fmt::format("{}", adapt.max_steps)}};
   for (const Key& key : problem_keys()) {
     const std::string name = std::string(key.table) + " " + std::string(key.name);
     if (held.count(name))

@@ -23,7 +23,7 @@ where = "x^2 + y^2 < 1.01"
 pressure = 1.0
 )",
                    testing::annulus(8, 2));
-  return {std::move(s.model), std::move(s.solution), {}, {}, {}, 0, {}};
+  return {std::move(s.model), std::move(s.solution), {}, {}, {}, {}, 0, {}};
 }
 
 /// Distance from the image's centre to the nearest pixel that is not white, in units of half the width.

@@ -14,13 +14,13 @@ namespace limes {
 /// When the loop ends, and what it refines.
 struct AdaptTargets {
   MarkingKind mark = MarkingKind::doerfler;
-  double share = 0.5;           ///< see marked()
-  std::optional<double> error;  ///< relative to the energy norm of the solution
-  int max_dofs = 10'000;        ///< of vertices times dofs_per_vertex
+  double share = 0.5;                ///< see marked()
+  std::optional<double> error = {};  ///< relative to the energy norm of the solution
+  int max_dofs = 10'000;             ///< of vertices times dofs_per_vertex
   int dofs_per_vertex = 1;
   int max_steps = 30;
-  std::optional<double> max_seconds;       ///< no step begins later
-  std::optional<double> reference_energy;  ///< of the exact solution, for true errors
+  std::optional<double> max_seconds = {};       ///< no step begins later
+  std::optional<double> reference_energy = {};  ///< of the exact solution, for true errors
 };
 
 /// A solution on one mesh, and the squared error of each of its faces.

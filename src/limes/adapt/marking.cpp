@@ -7,24 +7,28 @@
 namespace limes {
 namespace {
 
+/// Below a sum or product by more than its rounding.
+constexpr double hardly_less = 1 - 1e-12;
+
 /// How many of the errors, the largest first, are marked.
 std::size_t count(const std::vector<double>& descending, MarkingKind kind, double share) {
   switch (kind) {
     case MarkingKind::doerfler: {
       const double wanted =
-          share * std::accumulate(descending.begin(), descending.end(), 0.0) * (1 - 1e-12);
+          share * std::accumulate(descending.begin(), descending.end(), 0.0) * hardly_less;
       std::size_t n = 0;
       for (double sum = 0; n < descending.size() && sum < wanted; ++n)
         sum += descending[n];
       return n;
     }
     case MarkingKind::maximum: {
-      const double least = share * share * descending.front();
+      const double least = share * share * descending.front() * hardly_less;
       return static_cast<std::size_t>(std::count_if(descending.begin(), descending.end(),
                                                     [&](double x) { return x >= least; }));
     }
     case MarkingKind::fraction:
-      return static_cast<std::size_t>(std::ceil(share * static_cast<double>(descending.size())));
+      return static_cast<std::size_t>(
+          std::ceil(share * static_cast<double>(descending.size()) * hardly_less));
   }
   return 0;
 }

@@ -30,6 +30,13 @@ std::vector<std::vector<HalfedgeId>> sectors(const Adjacency& adjacency, VertexI
   return out;
 }
 
+/// Whether corners of a sector are all those of an inner vertex, joined all around.
+bool closes(const Adjacency& adjacency, const std::vector<HalfedgeId>& corners,
+            const JoinsFaces& joined) {
+  return adjacency.ring_next(corners.back()) == corners.front() &&
+         joined(adjacency.prev(corners.back()));
+}
+
 void add_joined(const Adjacency& adjacency, const JoinsFaces& joined, std::vector<FaceId>& faces) {
   const std::size_t before = faces.size();
   for (std::size_t i = 0; i < before; ++i) {
@@ -53,6 +60,7 @@ std::vector<RecoveryPatch> recovery_patches(const Adjacency& adjacency, const Jo
       RecoveryPatch patch{VertexId(v), std::move(corners), {}};
       for (const HalfedgeId h : patch.corners)
         patch.faces.push_back(adjacency.face(h));
+      patch.inner = patch.faces.size() >= enough_faces && closes(adjacency, patch.corners, joined);
       for (std::size_t last = 0; patch.faces.size() < enough_faces && last != patch.faces.size();) {
         last = patch.faces.size();
         add_joined(adjacency, joined, patch.faces);
@@ -63,16 +71,42 @@ std::vector<RecoveryPatch> recovery_patches(const Adjacency& adjacency, const Jo
   return out;
 }
 
-VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
-                         const MatrixX& values) {
-  const double size = std::max(at.cwiseAbs().maxCoeff(), 1e-300);
-  MatrixX A(at.rows(), 3);
-  A.col(0).setOnes();
-  A.rightCols<2>() = at / size;
+std::vector<std::vector<int>> recovering_patches(const Adjacency& adjacency,
+                                                 const std::vector<RecoveryPatch>& patches) {
+  IdArray<HalfedgeId, int> patch_of(static_cast<std::size_t>(adjacency.topology().num_corners()));
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    for (const HalfedgeId h : patches[i].corners)
+      patch_of[h] = static_cast<int>(i);
+  std::vector<std::vector<int>> out(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    std::vector<int>& sources = out[i];
+    if (!patches[i].inner)
+      for (const HalfedgeId corner : patches[i].corners)
+        for (HalfedgeId h = adjacency.next(corner); h != corner; h = adjacency.next(h)) {
+          const int other = patch_of[h];
+          if (patches[static_cast<std::size_t>(other)].inner &&
+              std::find(sources.begin(), sources.end(), other) == sources.end())
+            sources.push_back(other);
+        }
+    if (sources.empty()) sources.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+LinearFit linear_fit(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at, const MatrixX& values) {
+  LinearFit out;
+  out.middle = at.colwise().mean();
+  out.value = values.colwise().mean();
   Eigen::CompleteOrthogonalDecomposition<MatrixX> fit;
   fit.setThreshold(1e-6);  // places on one line say nothing across it
-  fit.compute(A);
-  return fit.solve(values).row(0).transpose();
+  fit.compute(at.rowwise() - out.middle);
+  out.slope = fit.solve(MatrixX(values.rowwise() - out.value));
+  return out;
+}
+
+VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
+                         const MatrixX& values) {
+  return linear_fit(at, values).at(Vec2::Zero());
 }
 
 }  // namespace limes

@@ -10,7 +10,9 @@ namespace limes {
 
 // Superconvergent patch recovery [zienkiewicz_1992]: a field that is most accurate at the centres of
 // bilinear elements is fitted by a linear function on the elements around a vertex, and the fit's
-// value at the vertex is the recovered one.
+// value at the vertex is the recovered one. A vertex with elements on one side only takes the mean of
+// the values there of the fits around its inner neighbours: its own would be extrapolated from one
+// row of elements.
 
 /// Whether a fit may use the faces on both sides of an inner edge.
 using JoinsFaces = std::function<bool(HalfedgeId inner)>;
@@ -20,19 +22,38 @@ struct RecoveryPatch {
   VertexId vertex;
   std::vector<HalfedgeId> corners;  ///< which start at the vertex; joined with each other
   std::vector<FaceId> faces;        ///< those of the corners first
+  bool inner = false;               ///< all faces around the vertex, which is not on the boundary
 };
 
-/// Every corner of every face is in exactly one patch. Where fewer than four faces are joined around a
+/// Every corner of every face is in exactly one patch. Where fewer than three faces are joined around a
 /// vertex, as on a boundary, the patch grows by the faces joined to its own, ring by ring, until it has
-/// four or there are no more.
+/// three or there are no more.
 [[nodiscard]] std::vector<RecoveryPatch> recovery_patches(const Adjacency& adjacency,
                                                           const JoinsFaces& joined);
 
-/// Value at the origin of the linear function that fits samples best; the smallest such function where
-/// they leave several.
-/// @param at      places, (m, 2)
+/// For each patch the patches whose fits give its values: itself if it is inner, else the inner ones
+/// at other corners of its corners' faces, and itself only if there are none.
+[[nodiscard]] std::vector<std::vector<int>> recovering_patches(
+    const Adjacency& adjacency, const std::vector<RecoveryPatch>& patches);
+
+/// A linear function of two variables with several components.
+struct LinearFit {
+  Eigen::RowVector2d middle;
+  Eigen::RowVectorXd value;                        ///< there
+  Eigen::Matrix<double, 2, Eigen::Dynamic> slope;  ///< (2, c)
+
+  [[nodiscard]] VectorX at(const Vec2& x) const {
+    return (value + (x.transpose() - middle) * slope).transpose();
+  }
+};
+
+/// The linear function that fits samples best; of several, the one with the least slope.
+/// @param at      places, (m, 2), m >= 1
 /// @param values  (m, c)
-/// @return        (c)
+[[nodiscard]] LinearFit linear_fit(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
+                                   const MatrixX& values);
+
+/// Value at the origin of linear_fit(), (c).
 [[nodiscard]] VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
                                        const MatrixX& values);
 

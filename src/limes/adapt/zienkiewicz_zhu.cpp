@@ -37,6 +37,23 @@ std::vector<int> element_of_face(const SubdivisionSpace& space) {
   return out;
 }
 
+/// The flux in a patch; nothing in one of holes.
+LinearFit fit_in(const RecoveryPatch& patch, const std::vector<int>& element,
+                 const Centres& centres) {
+  const auto of = [&](FaceId f) { return element[static_cast<std::size_t>(f.value)]; };
+  if (of(patch.faces[0]) < 0) return {};
+  const auto m = static_cast<Eigen::Index>(patch.faces.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
+  MatrixX values;
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const auto e = static_cast<std::size_t>(of(patch.faces[static_cast<std::size_t>(k)]));
+    at.row(k) = centres.x[e].transpose();
+    if (k == 0) values.resize(m, centres.flux[e].size());
+    values.row(k) = centres.flux[e].transpose();
+  }
+  return linear_fit(at, values);
+}
+
 /// The recovered flux at every corner of every face.
 IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Centres& centres,
                                        const JoinsFaces& joined) {
@@ -46,21 +63,22 @@ IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Cent
     return space.has_element(adjacency.face(h)) &&
            space.has_element(adjacency.face(adjacency.twin(h))) && joined(h);
   });
+  const std::vector<std::vector<int>> sources = recovering_patches(adjacency, patches);
+  std::vector<LinearFit> fits(patches.size());
+  for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    fits[at] = fit_in(patches[at], element, centres);
+  });
   IdArray<HalfedgeId, VectorX> out(static_cast<std::size_t>(adjacency.topology().num_corners()));
   for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
     const RecoveryPatch& patch = patches[static_cast<std::size_t>(i)];
     if (!space.has_element(patch.faces[0])) return;
-    const auto m = static_cast<Eigen::Index>(patch.faces.size());
-    Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
-    MatrixX values;
-    for (Eigen::Index k = 0; k < m; ++k) {
-      const auto e = static_cast<std::size_t>(
-          element[static_cast<std::size_t>(patch.faces[static_cast<std::size_t>(k)].value)]);
-      at.row(k) = (centres.x[e] - space.mesh().points[patch.vertex].head<2>()).transpose();
-      if (k == 0) values.resize(m, centres.flux[e].size());
-      values.row(k) = centres.flux[e].transpose();
-    }
-    const VectorX value = fitted_at_origin(at, values);
+    const Vec2 x = space.mesh().points[patch.vertex].head<2>();
+    const std::vector<int>& from = sources[static_cast<std::size_t>(i)];
+    VectorX value = fits[static_cast<std::size_t>(from[0])].at(x);
+    for (std::size_t k = 1; k < from.size(); ++k)
+      value += fits[static_cast<std::size_t>(from[k])].at(x);
+    value /= static_cast<double>(from.size());
     for (const HalfedgeId h : patch.corners)
       out[h] = value;
   });

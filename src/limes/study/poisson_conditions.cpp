@@ -33,6 +33,18 @@ void require_quads(const PlaneModel& model) {
           mesh_path(model.problem).string(), f, t.face_size(FaceId(f)));
 }
 
+/// With other values 2 (E - E_h) is no squared error: the energy may lie on either side.
+void require_zero(const PlaneModel& model, const SupportSettings& support, double value,
+                  const Vec3& x) {
+  const auto& adapt = model.problem.adapt;
+  if (!adapt || !adapt->reference_energy || value == 0) return;
+  throw InputError(
+      "{}:{}: the support of line {} gives the value {} at ({:.6g}, {:.6g}), but a "
+      "reference_energy "
+      "says what the error is only where all supports have the value 0; remove it",
+      model.problem.file.string(), adapt->line, support.line, value, x.x(), x.y());
+}
+
 /// Faces are joined by common vertices. A piece in which no vertex is held has many solutions.
 void require_held_pieces(const PlaneModel& model, const std::vector<int>& held_at) {
   const SubdivisionSpace& space = *model.space;
@@ -105,6 +117,7 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
       if (dof < 0) continue;
       const Vec3& x = model.limit_points[vertex];
       const double value = finite(model, support.value, x, support.line);
+      require_zero(model, support, value, x);
       int& at = held_at[static_cast<std::size_t>(dof)];
       if (at < 0) {
         at = static_cast<int>(out.size());

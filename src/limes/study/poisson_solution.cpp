@@ -54,6 +54,7 @@ void set_reactions(const PlaneModel& model, const std::vector<HeldVertex>& verti
   solution.imbalance = solution.load;
   for (const HeldVertex& v : vertices) {
     solution.reactions[static_cast<std::size_t>(v.support)].flux += residual(v.dof);
+    solution.reaction_size += std::abs(residual(v.dof));
     solution.imbalance += residual(v.dof);
   }
 }
@@ -121,9 +122,7 @@ std::vector<PoissonProbe> probe(const PlaneModel& model, const PoissonSolution& 
 
 std::vector<SolutionCheck> check_solution(const PlaneModel& /*model*/,
                                           const PoissonSolution& solution) {
-  double size = solution.load_size;
-  for (const PoissonSolution::Reaction& r : solution.reactions)
-    size += std::abs(r.flux);
+  const double size = solution.load_size + solution.reaction_size;
   return {{"residual of the linear solver", solution.solver_residual,
            std::max(1e-9, solution.rounding_floor)},
           {"balance of fluxes", std::abs(solution.imbalance) / (size > 0 ? size : 1.0),

@@ -21,7 +21,8 @@ struct PoissonSolution {
     double flux;        ///< through it into the body
   };
   std::vector<Reaction> reactions;
-  double imbalance = 0;  ///< of load and reactions: zero but for rounding
+  double reaction_size = 0;  ///< the sum of the magnitudes at the vertices
+  double imbalance = 0;      ///< of load and reactions: zero but for rounding
 };
 
 /// Supports give values at all selected vertices.

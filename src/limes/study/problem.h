@@ -123,8 +123,11 @@ struct ProbeSettings {
   int line = 0;
 };
 
+enum class EstimatorKind { zienkiewicz_zhu };
+
 /// Refinement where the error is.
 struct AdaptSettings {
+  EstimatorKind estimator = EstimatorKind::zienkiewicz_zhu;
   MarkingKind mark = MarkingKind::doerfler;
   double share = 0.5;                      ///< of the marking, in (0, 1]
   std::optional<double> target_error;      ///< relative to the energy norm, in (0, 1)

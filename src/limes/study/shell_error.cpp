@@ -75,6 +75,50 @@ ShellResultants state(const ShellModel& model, const ShellSolution& solution, Fa
   return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
 }
 
+/// Resultants around a node, linear in its tangent plane.
+struct PatchFit {
+  Vec3 x, director;
+  Axes axes;
+  LinearFit fit;
+
+  [[nodiscard]] ShellResultants at(const Vec3& point) const {
+    return in_space(fit.at(axes.transpose() * (point - x)), axes, director);
+  }
+};
+
+PatchFit fit_in(const ShellModel& model, const RecoveryPatch& patch,
+                const IdArray<FaceId, ShellResultants>& centre) {
+  PatchFit out{.x = model.mesh->points[patch.vertex],
+               .director = model.director[patch.corners.front()],
+               .axes = {},
+               .fit = {}};
+  out.axes = axes_across(out.director);
+  const auto m = static_cast<Eigen::Index>(patch.faces.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
+  MatrixX values(m, 8);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const FaceId f = patch.faces[static_cast<std::size_t>(k)];
+    at.row(k) = (model.quad(f).position(Vec2::Zero()) - out.x).transpose() * out.axes;
+    values.row(k) = in_plane(turned(centre[f], out.director), out.axes).transpose();
+  }
+  out.fit = linear_fit(at, values);
+  return out;
+}
+
+/// Mean of what some fits say at a point, in the plane normal to a director.
+ShellResultants mean_at(const Vec3& point, const Vec3& director, const std::vector<int>& from,
+                        const std::vector<PatchFit>& fits) {
+  ShellResultants out{Mat3::Zero(), Mat3::Zero(), Vec3::Zero(), director};
+  for (const int k : from) {
+    const ShellResultants one = turned(fits[static_cast<std::size_t>(k)].at(point), director);
+    const double share = 1 / static_cast<double>(from.size());
+    out.membrane += share * one.membrane;
+    out.bending += share * one.bending;
+    out.shear += share * one.shear;
+  }
+  return out;
+}
+
 /// At every corner of every face, in the plane normal to its director.
 IdArray<HalfedgeId, ShellResultants> recovered(const ShellModel& model,
                                                const ShellSolution& solution) {
@@ -85,24 +129,19 @@ IdArray<HalfedgeId, ShellResultants> recovered(const ShellModel& model,
   });
   const auto patches =
       recovery_patches(*model.adjacency, [&](HalfedgeId h) { return is_smooth_across(model, h); });
+  const auto sources = recovering_patches(*model.adjacency, patches);
+  std::vector<PatchFit> fits(patches.size());
+  for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
+    const auto at = static_cast<std::size_t>(i);
+    fits[at] = fit_in(model, patches[at], centre);
+  });
   IdArray<HalfedgeId, ShellResultants> out(
       static_cast<std::size_t>(model.mesh->topology.num_corners()));
   for_each_index(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
-    const RecoveryPatch& patch = patches[static_cast<std::size_t>(i)];
-    const Vec3 director = model.director[patch.corners.front()];
-    const Axes axes = axes_across(director);
-    const auto m = static_cast<Eigen::Index>(patch.faces.size());
-    Eigen::Matrix<double, Eigen::Dynamic, 2> at(m, 2);
-    MatrixX values(m, 8);
-    for (Eigen::Index k = 0; k < m; ++k) {
-      const FaceId f = patch.faces[static_cast<std::size_t>(k)];
-      const Vec3 x = model.quad(f).position(Vec2::Zero()) - model.mesh->points[patch.vertex];
-      at.row(k) = x.transpose() * axes;
-      values.row(k) = in_plane(turned(centre[f], director), axes).transpose();
-    }
-    const PlaneResultants value = fitted_at_origin(at, values);
-    for (const HalfedgeId h : patch.corners)
-      out[h] = in_space(value, axes, director);
+    const auto at = static_cast<std::size_t>(i);
+    const ShellResultants value = mean_at(fits[at].x, fits[at].director, sources[at], fits);
+    for (const HalfedgeId h : patches[at].corners)
+      out[h] = value;
   });
   return out;
 }

@@ -12,8 +12,8 @@ namespace limes {
 ///     integral of |N* - N|^2 + 12/t^2 |M* - M|^2 over E t, and of |Q* - Q|^2 over k G t,
 ///
 /// where |.|^2 is (1 + nu) A : A - nu (tr A)^2, for shear Q . Q. Recovery fits resultants at the centres of
-/// the elements around a node, turned into the plane normal to its director by the shortest turn; it
-/// crosses no kink, no seam and no border between materials.
+/// the elements around a node, turned into the plane normal to its director by the shortest turn
+/// (recovery.h); it crosses no kink, no seam and no border between materials.
 [[nodiscard]] std::vector<double> estimate_error(const ShellModel& model,
                                                  const ShellSolution& solution);
 

@@ -129,6 +129,22 @@ void require_quads(const Problem& problem, const Mesh& mesh) {
                        mesh.topology.face_size(FaceId(f)));
 }
 
+/// Vertices of the quads of the coarse mesh, whose sides are placed.
+void start_between_sides(const Adjacency& coarse, Mesh& mesh) {
+  const QuadrisectionIds ids = quadrisection_ids(coarse);
+  for (int f = 0; f < coarse.topology().num_faces(); ++f) {
+    const auto face = coarse.topology().face(FaceId(f));
+    if (face.size() != 4) continue;
+    std::array<Vec3, 4> corners, middles;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const HalfedgeId h = coarse.topology().halfedge(FaceId(f), static_cast<int>(i));
+      corners[i] = mesh.points[face[i]];
+      middles[i] = mesh.points[ids.of_edge(coarse.edge(h))];
+    }
+    mesh.points[ids.of_face(FaceId(f))] = between_sides(corners, middles);
+  }
+}
+
 }  // namespace
 
 std::vector<const GeometrySettings*> geometry_of_faces(const Problem& problem, const Mesh& mesh) {
@@ -205,28 +221,37 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   require_surfaces(problem, mesh);
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh, 0);
-  std::vector<double> areas;  // that faces should have: equal parts of those of the control mesh
-  int first_new = 0;
-  for (int level = 0;; ++level) {
-    const auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-    for (int v = first_new; v < mesh.points.size(); ++v)
+  auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+  const auto place = [&](int first, int last) {
+    for (int v = first; v < last; ++v)
       mesh.points[VertexId(v)] =
           placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
-    if (level == 0) areas = face_areas(mesh);
-    const int sweeps = level == 0 ? problem.mesh.smooth_start : problem.mesh.smoothing;
-    if (sweeps > 0) {
-      require_quads(problem, mesh);
-      improve_shapes(mesh, areas, surfaces, tied, sweeps);
-    }
-    if (level == levels) return mesh;
-    first_new = mesh.points.size();
-    const Adjacency adjacency(mesh.topology);
+  };
+  const auto smooth = [&](const std::vector<double>& areas, int sweeps) {
+    if (sweeps == 0) return;
+    require_quads(problem, mesh);
+    improve_shapes(mesh, areas, surfaces, tied, sweeps);
+  };
+  place(0, mesh.points.size());
+  // What faces should have: equal parts of those of the control mesh.
+  std::vector<double> areas = face_areas(mesh);
+  smooth(areas, problem.mesh.smooth_start);
+  for (int level = 0; level < levels; ++level) {
+    const Topology coarse = mesh.topology;
+    const Adjacency adjacency(coarse);
     tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
     for (auto& edges : curves)
       edges = split_edges(adjacency, std::span<const Edge>(edges));
-    areas = areas_of_children(mesh.topology, areas);
+    areas = areas_of_children(coarse, areas);
     mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+    surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+    const int first_of_faces = coarse.num_vertices() + adjacency.num_edges();
+    place(coarse.num_vertices(), first_of_faces);
+    start_between_sides(adjacency, mesh);
+    place(first_of_faces, mesh.points.size());
+    smooth(areas, problem.mesh.smoothing);
   }
+  return mesh;
 }
 
 void smooth_on_surfaces(const Problem& problem, const Forest& forest,

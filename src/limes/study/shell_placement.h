@@ -29,9 +29,9 @@ using Edge = std::array<VertexId, 2>;
 [[nodiscard]] std::vector<std::vector<Edge>> curve_edges(const Problem& problem,
                                                          const Mesh& control, int levels);
 
-/// Vertices halfway between others, then on the exact surface of their part, level by level: on a
-/// seam on those of all parts there, on a [[curve]] on that as well. Then the shapes of elements are
-/// optimised as [mesh] says.
+/// Vertices halfway between others (of quads see between_sides()), then on the exact surface of their
+/// part, level by level: on a seam on those of all parts there, on a [[curve]] on that as well. Then the
+/// shapes of elements are optimised as [mesh] says.
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
 [[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
 

@@ -272,16 +272,20 @@ void Forest::make_children(std::vector<FaceId> faces) {
 void Forest::place(std::span<const FaceId> faces, std::span<const ChildNodes> made,
                    int num_before) {
   std::vector<char> placed(static_cast<std::size_t>(nodes_.size() - num_before), 0);
-  const auto place_once = [&](VertexId v, FaceId root, HalfedgeId edge) {
-    if (v.value < num_before) return;
-    if (std::exchange(placed[static_cast<std::size_t>(v.value - num_before)], 1)) return;
-    nodes_.place(v, placement_(nodes_.position(v), root, edge));
-  };
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const FaceId root = face(faces[k]).root;
-    for (int i = 0; i < 4; ++i)
-      place_once(made[k].sides[static_cast<std::size_t>(i)], root, control_side(faces[k], i));
-    place_once(made[k].centre, root, HalfedgeId());
+    std::array<Vec3, 4> corners, middles;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const VertexId v = made[k].sides[i];
+      const bool is_new = v.value >= num_before &&
+                          !std::exchange(placed[static_cast<std::size_t>(v.value - num_before)], 1);
+      if (is_new)
+        nodes_.place(
+            v, placement_(nodes_.position(v), root, control_side(faces[k], static_cast<int>(i))));
+      corners[i] = nodes_.position(face(faces[k]).corners[i]);
+      middles[i] = nodes_.position(v);
+    }
+    nodes_.place(made[k].centre, placement_(between_sides(corners, middles), root, HalfedgeId()));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/forest_nodes.h"
+#include "limes/subdiv/placement.h"
 #include "limes/subdiv/refine.h"
 
 namespace limes {
@@ -27,12 +28,6 @@ enum class SplitUnit {
   families,  ///< below the control faces, four siblings: what an all-quad closure needs
   faces      ///< each alone
 };
-
-/// Moves a new vertex, such as onto a surface, from where the scheme puts it.
-/// @param face  of the control mesh, in which the vertex lies
-/// @param edge  a side of that face on which it lies; invalid: it lies inside
-/// @return      the same for both faces of an edge
-using Placement = std::function<Vec3(const Vec3& x, FaceId face, HalfedgeId edge)>;
 
 /// A quad mesh refined in places: a quadtree on every control face [kobbelt_1996]. A face is split
 /// like in uniform refinement, children in its order, and its vertices lie where uniform refinement

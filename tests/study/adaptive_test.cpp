@@ -1,0 +1,243 @@
+// Error estimation and the adaptive loop, on problems whose exact solutions are known.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "limes/adapt/zienkiewicz_zhu.h"
+#include "limes/study/run.h"
+#include "study/solved.h"
+
+namespace limes {
+namespace {
+
+double total(const std::vector<double>& squares) {
+  return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
+}
+
+/// Distorted quads on [0, 2] x [0, 1] with a line of edges at x = 1.
+Mesh two_halves(int n) {
+  return testing::grid(2 * n, n, [](const Vec2& p) {
+    const double bend = 0.1 * std::sin(2 * std::numbers::pi * p.x()) * std::sin(3 * p.y());
+    return Vec2(2 * p.x() + bend, p.y() + 0.05 * std::sin(std::numbers::pi * p.y()) * p.x());
+  });
+}
+
+const std::string poisson_of_two = R"(scheme = "linear"
+[model]
+kind = "poisson"
+[[material]]
+conductivity = 1
+[[material]]
+where = "x >= 1"
+conductivity = 4
+[[support]]
+where = "boundary"
+value = )";
+
+struct SolvedPoisson {
+  PlaneModel model;
+  PoissonSolution solution;
+};
+
+SolvedPoisson solve_scalar(const std::string& text, Mesh mesh) {
+  SolvedPoisson s{build_model(problem_of(text), std::move(mesh)), {}};
+  s.solution = solve_poisson(s.model);
+  for (const SolutionCheck& c : check_solution(s.model, s.solution))
+    EXPECT_TRUE(c.passed()) << c.name << ' ' << c.value;
+  return s;
+}
+
+TEST(ErrorEstimate, VanishesForALinearSolution) {
+  const SolvedPoisson s = solve_scalar(R"(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+conductivity = 3
+[[support]]
+where = "boundary"
+value = "2 + 3 * x - y"
+)",
+                                       two_halves(4));
+  EXPECT_NEAR(s.solution.strain_energy, 0.5 * 3 * 10 * 2, 1e-12);
+  EXPECT_LT(total(estimate_error(s.model, s.solution)), 1e-12);
+
+  const Solved plane = solve(R"(scheme = "linear"
+[material]
+young = 10
+poisson = 0.25
+[model]
+kind = "plane-strain"
+[[support]]
+where = "x == 0"
+fix = ["ux"]
+[[support]]
+where = "x == 0 and y == 0"
+fix = ["uy"]
+[[load]]
+where = "x == 2"
+force_per_length = [1, 0]
+)",
+                             two_halves(4));
+  EXPECT_LT(total(estimate_error(plane.model, plane.solution)), 1e-12);
+}
+
+// u = y + x where k = 1 and y + 1 + (x - 1) / 4 where k = 4: the flux along x is 1 on both sides,
+// along y it jumps from 1 to 4. Recovery across the line would see an error.
+TEST(ErrorEstimate, DoesNotSmearAcrossMaterials) {
+  const SolvedPoisson s =
+      solve_scalar(poisson_of_two + "\"y + (x < 1 ? x : 1 + (x - 1) / 4)\"\n", two_halves(4));
+  EXPECT_LT(total(estimate_error(s.model, s.solution)), 1e-12);
+  EnergyDensity energy;
+  energy.gradient = [&](int e, const ElementTable& table) {
+    MatrixX out(table.uv.rows(), 2);
+    const auto at = states(s.model, s.solution, e, table);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      out.row(static_cast<Eigen::Index>(i)) = at[i].gradient.transpose();
+    return out;
+  };
+  energy.stiffness = [&](int e) {
+    return MatrixX(s.model.conductivity(e) * MatrixX::Identity(2, 2));
+  };
+  EXPECT_LT(total(zienkiewicz_zhu(*s.model.space, energy, s.model.same_material())), 1e-12);
+  EXPECT_GT(total(zienkiewicz_zhu(*s.model.space, energy, [](HalfedgeId) { return true; })), 0.3);
+}
+
+std::string sine(const std::string& adapt) {
+  return R"toml(scheme = "linear"
+levels = 1
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "boundary"
+value = 0
+[[load]]
+where = "all"
+source = "2 * pi^2 * sin(pi * x) * sin(pi * y)"
+[adapt]
+reference_energy = 2.4674011002723395   # pi^2 / 4
+)toml" + adapt;
+}
+
+/// Runs a problem whose mesh file is m.obj beside it.
+PoissonResult run_scalar(const std::string& text, const std::string& obj) {
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / "limes_adaptive";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "m.obj") << obj;
+  return run_poisson_problem(parse_problem("[mesh]\nfile = \"m.obj\"\n" + text, folder / "p.toml"));
+}
+
+const char* const unit_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+// Uniform refinement of a smooth problem: the error halves with the mesh size, and the estimate is
+// asymptotically exact.
+TEST(AdaptiveRun, SmoothProblemHasOrderOneAndAnExactEstimate) {
+  const PoissonResult result =
+      run_scalar(sine("mark = \"fraction\"\nshare = 1\nmax_dofs = 5000\n"), unit_square);
+  const std::vector<AdaptStep>& steps = result.adaptive->history.steps;
+  ASSERT_EQ(steps.size(), 6U);  // 2 x 2 to 64 x 64
+  for (std::size_t i = 3; i < steps.size(); ++i) {
+    EXPECT_NEAR(std::log2(*steps[i - 1].true_error / *steps[i].true_error), 1, 0.02);
+  }
+  EXPECT_NEAR(*steps.back().effectivity, 1, 0.01);
+}
+
+TEST(AdaptiveRun, ResultsHaveTheSteps) {
+  const PoissonResult result = run_scalar(sine("target_error = 0.2\n"), unit_square);
+  const nlohmann::ordered_json json = result_json(result, false);
+  EXPECT_EQ(json["end"], "target_error");
+  ASSERT_GT(json["steps"].size(), 1U);
+  for (const auto& step : json["steps"])
+    for (const char* key : {"dofs", "elements", "strain_energy", "error_estimate",
+                            "relative_error_estimate", "error", "effectivity"})
+      EXPECT_TRUE(step.contains(key)) << key;
+  EXPECT_EQ(json["dofs"], json["steps"].back()["dofs"]);
+  EXPECT_EQ(json["strain_energy"], json["steps"].back()["strain_energy"]);
+  std::vector<std::string> names;
+  for (const ReportFile& file : report_files(result))
+    names.push_back(file.name);
+  for (const char* name : {"report.html", "solution.png", "convergence.png", "adapted-mesh.png"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+}
+
+std::vector<AdaptStep> l_shape(const std::vector<std::string>& overrides) {
+  return run_poisson_problem(read_problem(LIMES_DATA_DIR "/l_shape.toml", overrides))
+      .adaptive->history.steps;
+}
+
+/// Slope of the logarithm of the true error between two steps.
+double rate(const AdaptStep& a, const AdaptStep& b) {
+  return std::log(*b.true_error / *a.true_error) / std::log(double(b.dofs) / a.dofs);
+}
+
+/// Unknowns at which the straight lines between the steps, in logarithms, reach a relative error.
+double dofs_for(double relative, const std::vector<AdaptStep>& steps) {
+  const double norm = std::sqrt(2 * 0.91811333093758);
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    if (*steps[i].true_error <= relative * norm)
+      return steps[i].dofs *
+             std::pow(relative * norm / *steps[i].true_error, 1 / rate(steps[i - 1], steps[i]));
+  return 1e300;
+}
+
+// u = r^(2/3) sin(2/3 t) is in H^(5/3): uniform refinement loses half of the order.
+TEST(AdaptiveRun, OnTheLShapeBeatsUniformRefinement) {
+  const std::vector<AdaptStep> adaptive = l_shape({"adapt.max_dofs=8000"});
+  const std::vector<AdaptStep> uniform =
+      l_shape({"adapt.mark=fraction", "adapt.share=1", "adapt.max_dofs=13000"});
+  EXPECT_NEAR(rate(uniform[uniform.size() - 2], uniform.back()), -1.0 / 3, 0.03);
+  EXPECT_NEAR(rate(adaptive[adaptive.size() - 4], adaptive.back()), -0.5, 0.06);
+  EXPECT_LT(3 * dofs_for(0.02, adaptive), dofs_for(0.02, uniform));
+  const double norm = std::sqrt(2 * 0.91811333093758);
+  for (const auto& steps : {adaptive, uniform})
+    for (const AdaptStep& s : steps)
+      if (*s.true_error < 0.2 * norm) {
+        EXPECT_GT(*s.effectivity, 0.7) << s.dofs;
+        EXPECT_LT(*s.effectivity, 1.5) << s.dofs;
+      }
+}
+
+// Against elements of degree 6, see data/SOURCES.md.
+TEST(AdaptiveRun, CooksMembraneGoesToItsEnergy) {
+  const PlaneResult result = run_problem(read_problem(LIMES_DATA_DIR "/cook.toml", {}));
+  const std::vector<AdaptStep>& steps = result.adaptive->history.steps;
+  EXPECT_EQ(result.adaptive->history.end, "max_dofs");
+  for (const AdaptStep& s : steps) {
+    EXPECT_LT(s.strain_energy, 12.02080);
+    EXPECT_GT(*s.effectivity, 0.7) << s.dofs;
+    EXPECT_LT(*s.effectivity, 1.5) << s.dofs;
+  }
+  EXPECT_NEAR(rate(steps[steps.size() / 2], steps.back()), -0.5, 0.08);
+  EXPECT_NEAR(steps.back().strain_energy, 12.02080, 0.002 * 12.02080);
+  EXPECT_NEAR(result.probes.at(0).state.u.y(), 23.96774, 0.002 * 23.96774);
+}
+
+TEST(AdaptiveRun, RefusesWhatItCannotDo) {
+  const auto refusal = [](const std::string& text, const std::string& obj = unit_square) {
+    try {
+      (void)run_scalar(text, obj);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  std::string warm = sine("");
+  warm.replace(warm.find("value = 0"), 9, "value = \"x\"");
+  EXPECT_NE(refusal(warm).find("says what the error is only where all supports have the value 0"),
+            std::string::npos)
+      << refusal(warm);
+  std::string triangle = sine("");
+  triangle.replace(triangle.find("levels = 1"), 10, "levels = 0");
+  EXPECT_NE(refusal(triangle, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+                .find("[adapt] refines quads, but face 0 of"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace limes
