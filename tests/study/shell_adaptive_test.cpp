@@ -109,7 +109,7 @@ TEST(ShellForestSeams, BothSidesHaveTheSameEdges) {
     const ForestMesh mesh = forest_mesh(shell.forest, Closure::conforming);
     const auto tied = tied_edges(shell.forest, mesh, shell.seams);
     const auto on_seam = [](const Vec3& x) {
-      return x.z() == 0 && std::max(std::abs(x.x()), std::abs(x.y())) < 14;
+      return std::abs(x.z()) < 1e-9 && std::max(std::abs(x.x()), std::abs(x.y())) < 14;
     };
     for (const FaceGroup& part : mesh.mesh.parts)
       EXPECT_EQ(edges_in(mesh.mesh, part, on_seam), static_cast<int>(tied.size())) << part.name;
@@ -217,8 +217,8 @@ force_per_length = ["y > 0.5 ? 4 : 1", 0, 0]
   EXPECT_LT(estimated_part(build_shell_model(problem, mesh)), 1e-10);
 }
 
-// Axial pull of a cylinder: elements are facets, and resultants are compared across their edges.
-TEST(ShellError, VanishesForAnAxialPullOfACylinder) {
+// Hoop force of a cylinder under pressure: constant along the surface, turning from facet to facet.
+TEST(ShellError, VanishesForACylinderUnderPressure) {
   const Problem problem = parse_problem(R"([mesh]
 file = "roof.obj"
 scheme = "linear"
@@ -241,14 +241,14 @@ kind = "symmetry"
 where = "x == 0"
 kind = "symmetry"
 [[support]]
-where = "x == 0 and y == 0"
-fix = ["uz"]
+where = "25 * sin(2 * pi / 9) == x"
+kind = "symmetry"
 [[load]]
-where = "y == 25"
-force_per_length = [0, 1, 0]
+where = "all"
+pressure = -1
 )",
                                         std::filesystem::path(LIMES_DATA_DIR) / "p.toml");
-  EXPECT_LT(estimated_part(read_shell_model(problem)), 1e-9);
+  EXPECT_LT(estimated_part(read_shell_model(problem)), 1e-6);
 }
 
 ShellResult adapted(const std::string& file, const char* energy, std::vector<std::string> more) {
@@ -278,7 +278,7 @@ TEST(AdaptiveShell, RoofWithAHoleComesToTheLimitOfTheTheory) {
   const AdaptStep& first = r.adaptive->history.steps.front();
   const ShellResult uniform = run_shell_problem(problem_file("hole_5.toml", {}));
   EXPECT_EQ(first.dofs, uniform.solution.num_unknowns);
-  EXPECT_NEAR(first.strain_energy / uniform.solution.strain_energy, 1, 1e-12);
+  EXPECT_NEAR(first.strain_energy / uniform.solution.strain_energy, 1, 1e-10);
 }
 
 TEST(AdaptiveShell, SmallHoleTakesAThirdOfTheUnknowns) {
