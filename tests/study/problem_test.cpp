@@ -163,7 +163,7 @@ TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
   expect(elastic + "[[support]]\nwhere = \"all\"\nvalue = 1\n", "p.toml:11: ", "use fix");
   expect(elastic + "[adapt]\n", "p.toml:11: ", "[mesh] scheme = \"linear\"");
   expect(full() + "\n[adapt]\n", "p.toml:", "a periodic cell cannot be refined adaptively yet");
-  expect(full_shell() + "\n[adapt]\n", "p.toml:", "shells cannot be refined adaptively yet");
+  expect(full_shell() + "\n[adapt]\n", "p.toml:", "\"linear\" or \"kobbelt\"");
   for (const char* needed : {"young", "poisson"}) {
     Draft draft;
     draft.erase("material", needed);

@@ -357,8 +357,6 @@ void ProblemReader::read_adapt() {
     if (table.has("max_seconds")) table.read("max_seconds", adapt.max_seconds.emplace());
     if (table.has("reference_energy"))
       table.read("reference_energy", adapt.reference_energy.emplace());
-    if (problem_.model.kind == ModelKind::mitc4)
-      fail(table.place(), "shells cannot be refined adaptively yet; remove [adapt]");
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
     if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&

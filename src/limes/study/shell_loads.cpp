@@ -10,6 +10,18 @@
 namespace limes {
 namespace {
 
+/// Length of a side over that of its chord: of the cubic that meets both directors at right angles, to
+/// first order. Sides that bend in the surface's plane, as rims of holes do, keep their chord.
+double arc_over_chord(const ShellQuad& quad, int side) {
+  const auto a = static_cast<std::size_t>(side), b = (a + 1) % 4;
+  const Vec3 chord = (quad.x[b] - quad.x[a]).normalized();
+  const auto slope = [&](std::size_t i) -> Vec3 {
+    return -chord.dot(quad.director[i]) * quad.director[i];
+  };
+  const Vec3 m = slope(a), n = slope(b);
+  return 1 + (2 * m.dot(m) - m.dot(n) + 2 * n.dot(n)) / 30;
+}
+
 class ShellLoad {
  public:
   ShellLoad(const ShellModel& model, const LoadSettings& load)
@@ -80,10 +92,12 @@ class ShellLoad {
           "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
     for (const HalfedgeId h : edges) {
       const FaceId face = model_.adjacency->face(h);
-      model_.scatter(face,
-                     shell_side_load(model_.quad(face), model_.adjacency->corner_index(h),
-                                     [&](const Vec3& x) { return value(x); }),
-                     f);
+      const ShellQuad quad = model_.quad(face);
+      const int side = model_.adjacency->corner_index(h);
+      const double longer = model_.problem.mesh.exact ? arc_over_chord(quad, side) : 1;
+      model_.scatter(
+          face,
+          shell_side_load(quad, side, [&](const Vec3& x) -> Vec3 { return longer * value(x); }), f);
     }
   }
 

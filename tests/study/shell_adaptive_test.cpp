@@ -1,0 +1,317 @@
+// Shells refined where the error is: against Reissner-Mindlin solutions of high order (dolfinx, see
+// data/SOURCES.md), stress states that the elements represent exactly, and uniform refinement.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "convergence/plane_meshes.h"
+#include "limes/core/error.h"
+#include "limes/study/run.h"
+#include "limes/study/shell_error.h"
+#include "limes/study/shell_forest.h"
+#include "limes/study/shell_placement.h"
+
+namespace limes {
+namespace {
+
+Problem problem_file(const std::string& name, const std::vector<std::string>& overrides) {
+  return read_problem(std::filesystem::path(LIMES_DATA_DIR) / name, overrides);
+}
+
+/// Splits about one leaf in twenty, a few times.
+void refine_here_and_there(ShellForest& shell, int times, unsigned seed) {
+  std::mt19937 random(seed);
+  for (int i = 0; i < times; ++i) {
+    std::vector<FaceId> marked;
+    for (const FaceId leaf : shell.forest.leaves())
+      if (random() % 20 == 0) marked.push_back(leaf);
+    shell.forest.refine(marked);
+    match_seams(shell.forest, shell.seams);
+  }
+}
+
+struct Placed {
+  const char* file;
+  int before;  // uniform steps before the forest: the plate's control net has triangles
+};
+
+class PlacedForest : public ::testing::TestWithParam<Placed> {};
+INSTANTIATE_TEST_SUITE_P(Files, PlacedForest,
+                         ::testing::Values(Placed{"hole_5.toml", 0}, Placed{"hypar.toml", 0},
+                                           Placed{"cylinder_plate_c.toml", 1}));
+
+TEST_P(PlacedForest, VerticesAreBitwiseThoseOfUniformRefinement) {
+  const Problem problem = problem_file(GetParam().file, {"mesh.levels=2"});
+  const Mesh control = read_control_mesh(problem, {}).mesh;
+  ShellForest shell = shell_forest(problem, control);
+  refine_here_and_there(shell, 3, 7);
+  std::vector<Mesh> uniform;
+  std::set<int> levels;
+  for (const FaceId leaf : shell.forest.leaves()) {
+    const auto [root, level, path] = shell.forest.ancestry(leaf);
+    levels.insert(level);
+    while (static_cast<int>(uniform.size()) <= level)
+      uniform.push_back(refined_on_surfaces(problem, control,
+                                            GetParam().before + static_cast<int>(uniform.size())));
+    const Mesh& mesh = uniform[static_cast<std::size_t>(level)];
+    const auto face = (static_cast<std::int64_t>(root.value) << (2 * level)) + path;
+    const auto corners = mesh.topology.face(FaceId(face));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(shell.forest.nodes().position(shell.forest.corners(leaf)[i]),
+                mesh.points[corners[i]])
+          << face << ' ' << level;
+  }
+  EXPECT_GE(levels.size(), 3U);
+}
+
+TEST_P(PlacedForest, ElementsAreNotFoldedWhereTheMeshIsFine) {
+  const Problem problem = problem_file(GetParam().file, {"mesh.levels=5"});
+  const ShellModel model = build_shell_model(problem, read_control_mesh(problem, {}).mesh);
+  for (int f = 0; f < model.mesh->topology.num_faces(); ++f) {
+    const ShellQuad q = model.quad(FaceId(f));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 normal = (q.x[(i + 1) % 4] - q.x[i]).cross(q.x[(i + 3) % 4] - q.x[i]);
+      EXPECT_GT(normal.dot(q.director[(i + 2) % 4]), 0) << f;
+    }
+  }
+}
+
+/// Boundary edges of a part that lie in a set of points.
+template <class In>
+int edges_in(const Mesh& mesh, const FaceGroup& part, const In& in) {
+  const Adjacency adjacency(mesh.topology);
+  int n = 0;
+  for (const FaceId f : part.faces)
+    for (int i = 0; i < mesh.topology.face_size(f); ++i) {
+      const HalfedgeId h = mesh.topology.halfedge(f, i);
+      n += !adjacency.twin(h).valid() && in(mesh.points[adjacency.from(h)]) &&
+           in(mesh.points[adjacency.to(h)]);
+    }
+  return n;
+}
+
+void expect_in_one_place(const Mesh& mesh, const std::vector<TiedEdge>& tied) {
+  for (const TiedEdge& e : tied)
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(mesh.points[e.ends[i]], mesh.points[e.tied[i]]);
+}
+
+TEST(ShellForestSeams, BothSidesHaveTheSameEdges) {
+  const Problem problem = problem_file("cylinder_plate_c.toml", {"mesh.levels=2"});
+  ShellForest shell = shell_forest(problem, read_control_mesh(problem, {}).mesh);
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    refine_here_and_there(shell, 1, seed);
+    const ForestMesh mesh = forest_mesh(shell.forest, Closure::conforming);
+    const auto tied = tied_edges(shell.forest, mesh, shell.seams);
+    const auto on_seam = [](const Vec3& x) {
+      return std::abs(x.z()) < 1e-9 && std::max(std::abs(x.x()), std::abs(x.y())) < 14;
+    };
+    for (const FaceGroup& part : mesh.mesh.parts)
+      EXPECT_EQ(edges_in(mesh.mesh, part, on_seam), static_cast<int>(tied.size())) << part.name;
+    expect_in_one_place(mesh.mesh, tied);
+    EXPECT_GT(tied.size(), 32U);
+  }
+}
+
+/// Three plates of 2 x 2 quads that meet on the line x = z = 0.
+Mesh tee() {
+  std::vector<Vec3> x;
+  std::vector<int> quads;
+  std::vector<FaceGroup> parts;
+  for (const Vec3& along : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    const int first = static_cast<int>(x.size());
+    for (int j = 0; j <= 2; ++j)
+      for (int i = 0; i <= 2; ++i)
+        x.emplace_back(0.5 * i * along + Vec3(0, 0.5 * j, 0));
+    FaceGroup& part = parts.emplace_back();
+    part.name = parts.size() == 1 ? "left" : parts.size() == 2 ? "right" : "wall";
+    for (int k = 0; k < 4; ++k) {
+      part.faces.emplace_back(static_cast<int>(quads.size() / 4));
+      const int a = first + 3 * (k / 2) + k % 2;
+      quads.insert(quads.end(), {a, a + 1, a + 4, a + 3});
+    }
+  }
+  Mesh mesh = testing::make_mesh(std::move(x), std::move(quads));
+  mesh.parts = std::move(parts);
+  return mesh;
+}
+
+const std::string steel_shell = R"([mesh]
+file = "m.obj"
+scheme = "linear"
+levels = 1
+[model]
+kind = "mitc4"
+[material]
+young = 12e6
+poisson = 0
+thickness = 0.01
+)";
+
+TEST(ShellForestSeams, ThreePartsMeetWithTheSameEdges) {
+  const Problem problem = parse_problem(steel_shell + R"([[support]]
+where = "abs(x) == 1"
+kind = "clamped"
+[[seam]]
+parts = ["left", "right", "wall"]
+[[load]]
+where = "z == 1"
+force_per_length = [1, 0, 2]
+)",
+                                        "p.toml");
+  ShellForest shell = shell_forest(problem, tee());
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    refine_here_and_there(shell, 1, seed);
+    const ForestMesh mesh = forest_mesh(shell.forest, Closure::conforming);
+    const auto tied = tied_edges(shell.forest, mesh, shell.seams);
+    const auto on_seam = [](const Vec3& x) { return x.x() == 0 && x.z() == 0; };
+    for (const FaceGroup& part : mesh.mesh.parts)  // each tied to both others
+      EXPECT_EQ(3 * edges_in(mesh.mesh, part, on_seam), static_cast<int>(tied.size()));
+    expect_in_one_place(mesh.mesh, tied);
+    const ShellModel model = shell_model_on(problem, mesh.mesh, tied);
+    for (const SolutionCheck& c : check_solution(model, solve_shell(model)))
+      EXPECT_TRUE(c.passed()) << c.name << ' ' << c.value;
+  }
+}
+
+double estimated_part(const ShellModel& model) {
+  const ShellSolution solution = solve_shell(model);
+  const std::vector<double> squares = estimate_error(model, solution);
+  return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) /
+                   (2 * solution.strain_energy));
+}
+
+// Uniform stretch in x of two materials side by side: membrane forces jump where they meet.
+TEST(ShellError, VanishesForUniformStretchOfTwoMaterials) {
+  const Mesh mesh = testing::grid(6, 4, [](const Vec2& p) {
+    return Vec2(p.x() + 0.1 * std::sin(9 * p.y()) * p.x() * (1 - p.x()), p.y());
+  });
+  const Problem problem = parse_problem(R"([mesh]
+file = "m.obj"
+scheme = "linear"
+[model]
+kind = "mitc4"
+[[material]]
+young = 1
+poisson = 0
+[[material]]
+where = "y >= 0.5"
+young = 4
+poisson = 0
+[[support]]
+where = "x == 0"
+fix = ["ux", "uz", "rx", "ry"]
+[[support]]
+where = "x == 0 and y == 0"
+fix = ["uy"]
+[[load]]
+where = "x == 1"
+force_per_length = ["y > 0.5 ? 4 : 1", 0, 0]
+)",
+                                        "p.toml");
+  EXPECT_LT(estimated_part(build_shell_model(problem, mesh)), 1e-10);
+}
+
+// Hoop force of a cylinder under pressure: constant along the surface, turning from facet to facet.
+TEST(ShellError, VanishesForACylinderUnderPressure) {
+  const Problem problem = parse_problem(R"([mesh]
+file = "roof.obj"
+scheme = "linear"
+levels = 3
+placement = "exact"
+[geometry]
+kind = "cylinder"
+axis = [0, 1, 0]
+radius = 25
+[model]
+kind = "mitc4"
+[material]
+young = 10
+poisson = 0
+thickness = 0.25
+[[support]]
+where = "y == 0"
+kind = "symmetry"
+[[support]]
+where = "x == 0"
+kind = "symmetry"
+[[support]]
+where = "25 * sin(2 * pi / 9) == x"
+kind = "symmetry"
+[[load]]
+where = "all"
+pressure = -1
+)",
+                                        std::filesystem::path(LIMES_DATA_DIR) / "p.toml");
+  EXPECT_LT(estimated_part(read_shell_model(problem)), 1e-6);
+}
+
+ShellResult adapted(const std::string& file, const char* energy, std::vector<std::string> more) {
+  more.push_back(std::string("adapt.reference_energy=") + energy);
+  ShellResult result = run_shell_problem(problem_file(file, more));
+  for (const SolutionCheck& c : result.checks)
+    EXPECT_TRUE(c.passed()) << c.name << ' ' << c.value;
+  return result;
+}
+
+TEST(ShellError, IsTheErrorOnUniformMeshes) {
+  for (const auto& [file, energy] :
+       {std::pair("hole_5.toml", "1401.0685"), std::pair("hole_2_5.toml", "1260.10622")})
+    for (const char* levels : {"mesh.levels=1", "mesh.levels=2", "mesh.levels=3"}) {
+      const ShellResult r =
+          adapted(file, energy, {levels, "adapt.max_steps=1", "adapt.max_dofs=20000"});
+      EXPECT_NEAR(*r.adaptive->history.steps.front().effectivity, 1, 0.06) << file << levels;
+    }
+}
+
+TEST(AdaptiveShell, RoofWithAHoleComesToTheLimitOfTheTheory) {
+  const ShellResult r = adapted("hole_5.toml", "1401.0685", {"adapt.max_dofs=40000"});
+  EXPECT_NEAR(r.solution.strain_energy / 1401.0685, 1, 0.0005);
+  EXPECT_EQ(r.adaptive->history.end, "max_dofs");
+  EXPECT_EQ(r.adaptive->squares.size(),
+            static_cast<std::size_t>(r.model.mesh->topology.num_faces()));
+  const AdaptStep& first = r.adaptive->history.steps.front();
+  const ShellResult uniform = run_shell_problem(problem_file("hole_5.toml", {}));
+  EXPECT_EQ(first.dofs, uniform.solution.num_unknowns);
+  EXPECT_NEAR(first.strain_energy / uniform.solution.strain_energy, 1, 1e-10);
+}
+
+TEST(AdaptiveShell, SmallHoleTakesAThirdOfTheUnknowns) {
+  const double limit = 1260.10622;
+  const ShellSolution uniform =
+      run_shell_problem(problem_file("hole_2_5.toml", {"mesh.levels=4"})).solution;
+  const ShellResult r = adapted("hole_2_5.toml", "1260.10622",
+                                {"adapt.max_dofs=" + std::to_string(uniform.num_unknowns / 3)});
+  EXPECT_LT(std::abs(limit - r.solution.strain_energy), limit - uniform.strain_energy);
+  EXPECT_LE(3 * r.solution.num_unknowns, uniform.num_unknowns);
+}
+
+TEST(AdaptiveShell, SeamIsRefinedOnBothSides) {
+  const ShellResult r =
+      adapted("cylinder_plate_c.toml", "10.21295", {"mesh.levels=2", "adapt.max_dofs=20000"});
+  EXPECT_NEAR(r.solution.strain_energy / 10.21295, 1, 0.01);
+  EXPECT_GT(r.solution.num_kink_nodes, 64);  // of 32 before the first step
+}
+
+std::string message_of(const Problem& problem, const Mesh& mesh) {
+  try {
+    (void)shell_forest(problem, mesh);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(AdaptiveShell, ErrorsNameWhatIsMissing) {
+  const Problem plate = problem_file("cylinder_plate_c.toml", {"mesh.levels=1"});
+  EXPECT_NE(message_of(plate, read_control_mesh(plate, {}).mesh).find("levels of 2 or more"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace limes
