@@ -36,6 +36,29 @@ TEST(SpectrumCommand, KnowsEveryScheme) {
   }
 }
 
+/// [velho_quasi48], Figure 5: polygons of 3, 4, 5 sides get centres of valence 6, 8, 10.
+TEST(SpectrumCommand, SaysWhenPatternsRepeat) {
+  const Result result =
+      run_limes({"spectrum", "--scheme", "quasi-four-eight", "--valence", "3..5", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json patterns = Json::parse(result.out)["patterns"];
+  ASSERT_EQ(patterns["around"].size(), 6U);
+  for (const Json& p : patterns["around"]) {
+    EXPECT_EQ(p["valence"], 2 * p["control_valence"].get<int>());
+    EXPECT_EQ(p["period"], 1);
+    EXPECT_EQ(p["regular"], true);
+    EXPECT_LT(p["repeats_after"].get<int>(), 10);
+  }
+  EXPECT_EQ(patterns["around"][0]["mesh"], "polygon");
+  EXPECT_EQ(patterns["around"][1]["mesh"], "star");
+  const Result text = run_limes({"spectrum", "--scheme", "quasi-four-eight", "--valence", "4..5"});
+  EXPECT_NE(text.out.find("REPEATS AFTER PASS"), std::string::npos);
+  for (const char* scheme : {"loop", "four-eight"})
+    EXPECT_FALSE(
+        Json::parse(run_limes({"spectrum", "--scheme", scheme, "--valence", "6", "--json"}).out)
+            .contains("patterns"));
+}
+
 TEST(SpectrumCommand, DrawsCharacteristicMaps) {
   const TempFolder folder;
   const Result result =
