@@ -30,6 +30,10 @@ std::string name_of(Rule::Place place) {
       return "crease";
     case Rule::Place::dart:
       return "dart";
+    case Rule::Place::semi_sharp:
+      return "semi-sharp";
+    case Rule::Place::sharp_vertex:
+      return "sharp-vertex";
   }
   return {};
 }
@@ -45,6 +49,10 @@ std::string lines_of(Rule::Place place) {
       return " (y = 0)";
     case Rule::Place::dart:
       return " (y = 0, x >= 0)";
+    case Rule::Place::semi_sharp:
+      return " (y = 0, sharpness 1/2)";
+    case Rule::Place::sharp_vertex:
+      return " (0, 0)";
     default:
       return {};
   }
