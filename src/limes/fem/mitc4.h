@@ -13,12 +13,19 @@ namespace limes {
 // theta_i of node a. Rotation about the director ("drilling") does no work in the element: its matrix
 // has a zero eigenvalue for each node, which the model takes out or another element stiffens.
 
+/// Membrane strains of the middle surface. Both are the same in flat elements.
+enum class MembraneStrain {
+  displacement,  ///< as the displacements give them, plain MITC4
+  assumed        ///< tied as well, [ko_2017b], "MITC4+": warped thin elements do not lock
+};
+
 /// Isotropic, of constant thickness.
 struct ShellSection {
   double young = 1;                 ///< > 0
   double poisson = 0;               ///< in (-1, 1/2)
   double thickness = 1;             ///< > 0
   double shear_factor = 5.0 / 6.0;  ///< of the transverse shear stiffness, > 0
+  MembraneStrain membrane = MembraneStrain::displacement;
 };
 
 /// Corners in order, counter-clockwise seen from where the directors point to. Natural coordinates
