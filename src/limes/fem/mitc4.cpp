@@ -81,12 +81,22 @@ InPlane membrane(const ShellQuad& quad, const Vec2& rs) {
   return in_plane(quad, shape, Base(quad, shape, 0, 0), 0);
 }
 
-/// Membrane strains tied to rr at (0, +-1), ss at (+-1, 0) and rs at the centre, [ko_2017b]. With
-/// x = x_0 + r x_r + s x_s + r s x_d and u alike, those of displacements are these and terms with
-/// x_d . u_d. In a flat element x_d . u_d follows from the five; here it is replaced by what follows.
-class TiedMembrane {
+/// From the components rr, ss, 2 rs of a strain in one base to those in the base F times it.
+Mat3 change_of_base(const Mat2& F) {
+  Mat3 T;
+  for (int i = 0; i < 2; ++i)
+    T.row(i) << F(i, 0) * F(i, 0), F(i, 1) * F(i, 1), F(i, 0) * F(i, 1);
+  T.row(2) << 2 * F(0, 0) * F(1, 0), 2 * F(0, 1) * F(1, 1), F(0, 0) * F(1, 1) + F(0, 1) * F(1, 0);
+  return T;
+}
+
+/// Assumed membrane strains. With x = x_0 + r x_r + s x_s + r s x_d, and u alike, they are tied to rr
+/// at (0, +-1), ss at (+-1, 0) and rs at the centre, [ko_2017b]. What displacements give has besides
+/// only x_d . u_d, which in a flat element follows from these five; so it is taken to follow in all.
+/// Shear in the base of the centre is constant: in-plane bending has none.
+class AssumedMembrane {
  public:
-  explicit TiedMembrane(const ShellQuad& quad) {
+  explicit AssumedMembrane(const ShellQuad& quad) : c_(twist_in_plane(quad)) {
     const Row top = membrane(quad, {0, 1}).row(0), bottom = membrane(quad, {0, -1}).row(0);
     const Row right = membrane(quad, {1, 0}).row(1), left = membrane(quad, {-1, 0}).row(1);
     rr_ = (top + bottom) / 2;
@@ -94,10 +104,9 @@ class TiedMembrane {
     ss_ = (right + left) / 2;
     ss_r_ = (right - left) / 2;
     rs2_ = membrane(quad, {0, 0}).row(2);
-    const Vec2 c = twist_in_plane(quad);
-    dd_ = (c.x() * rr_s_ + c.y() * ss_r_ - c.x() * c.x() * rr_ - c.y() * c.y() * ss_ -
-           c.x() * c.y() * rs2_) /
-          (1 - c.squaredNorm());
+    const double cr = c_.x(), cs = c_.y();
+    dd_ = (cr * rr_s_ + cs * ss_r_ - cr * cr * rr_ - cs * cs * ss_ - cr * cs * rs2_) /
+          (1 - c_.squaredNorm());
   }
 
   [[nodiscard]] InPlane at(const Vec2& rs) const {
@@ -106,7 +115,10 @@ class TiedMembrane {
     B.row(0) = rr_ + s * rr_s_ + (s * s - 1) * dd_;
     B.row(1) = ss_ + r * ss_r_ + (r * r - 1) * dd_;
     B.row(2) = rs2_ + r * rr_s_ + s * ss_r_ + 2 * r * s * dd_;
-    return B;
+    Mat2 F;  // the base at (r, s) in terms of that at the centre, along the plane of the latter
+    F << 1 + s * c_.x(), s * c_.y(), r * c_.x(), 1 + r * c_.y();
+    const Row shear = change_of_base(F.inverse()).row(2) * B;
+    return B + change_of_base(F).col(2) * (rs2_ - shear);
   }
 
  private:
@@ -123,6 +135,7 @@ class TiedMembrane {
     return (base.transpose() * base).inverse() * (base.transpose() * twist);
   }
 
+  Vec2 c_;
   Row rr_, rr_s_, ss_, ss_r_, rs2_, dd_;
 };
 
@@ -152,7 +165,7 @@ class CovariantStrains {
   const ShellQuad& quad_;
   double half_;
   std::array<Row, 2> rt_, st_;
-  std::optional<TiedMembrane> membrane_;
+  std::optional<AssumedMembrane> membrane_;
 };
 
 /// Unit vectors along g_r, across it, and normal to the lamina of constant t.

@@ -13,10 +13,10 @@ namespace limes {
 // theta_i of node a. Rotation about the director ("drilling") does no work in the element: its matrix
 // has a zero eigenvalue for each node, which the model takes out or another element stiffens.
 
-/// Membrane strains of the middle surface. Both are the same in flat elements.
+/// Membrane strains of the middle surface. Elements must be convex for assumed ones.
 enum class MembraneStrain {
-  displacement,  ///< as the displacements give them, plain MITC4
-  assumed        ///< tied as well, [ko_2017b], "MITC4+": warped thin elements do not lock
+  displacement,  ///< as the displacements give them: plain MITC4
+  assumed        ///< tied, and with constant in-plane shear: thin warped elements do not lock
 };
 
 /// Isotropic, of constant thickness.
