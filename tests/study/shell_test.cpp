@@ -262,6 +262,26 @@ TEST(ShellErrors, SaySo) {
             std::string::npos);
 }
 
+TEST(ShellErrors, NameFacesFarFromConvex) {
+  const auto message = [](double middle) {
+    Mesh mesh = testing::grid(2, 2, [](const Vec2& p) -> Vec2 { return p / 2; });
+    mesh.points[VertexId(4)] = Vec3(middle, middle, 0);  // the corner that the four faces share
+    try {
+      (void)solve_shell(
+          build_shell_model(parse_problem(plate("kind = \"clamped\""), "p.toml",
+                                          std::vector<std::string>{"model.membrane=assumed"}),
+                            mesh));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(message(0.3), "no error");
+  EXPECT_EQ(message(0.41),
+            "m.obj: face 3 of the refined mesh is far from convex at its corner 0; membrane = "
+            "\"assumed\" needs faces that are nearly so");
+}
+
 // A scheme's own boundary is no edge of symmetry: directors are slanted there.
 TEST(ShellRemarks, SlantedDirectorsAtASymmetryAreNamed) {
   const auto firm = [](const ShellResult& r) {

@@ -13,7 +13,7 @@ namespace limes {
 // theta_i of node a. Rotation about the director ("drilling") does no work in the element: its matrix
 // has a zero eigenvalue for each node, which the model takes out or another element stiffens.
 
-/// Membrane strains of the middle surface. Elements must be convex for assumed ones.
+/// Membrane strains of the middle surface. Assumed ones are for convex elements, or nearly so.
 enum class MembraneStrain {
   displacement,  ///< as the displacements give them: plain MITC4
   assumed        ///< tied, and with constant in-plane shear: thin warped elements do not lock
