@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes hole.obj and cylinder_plate.obj, the start meshes of two shell problems, into this folder.
+"""Writes the start meshes of three shell problems into this folder.
 
 hole_5.obj, hole_2_5.obj: a quarter of the Scordelis-Lo roof (radius 25, length 50, 40 degrees) with a hole
 that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the hole outwards, 8 around.
@@ -7,6 +7,9 @@ that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the h
 cylinder_plate_3.obj, cylinder_plate_6.obj: a cylinder of radius 3 or 6 that leaves a square plate of width
 15 or 30 at 45 degrees, two parts with vertices of their own on the ellipse that they share. The plate has its
 four corners and eight nodes on the ellipse.
+
+twisted_beam.obj: a strip of length 12 and width 1.1, twisted by 90 degrees about its axis. 12 quads along, 2 across.
+twisted_beam_zigzag.obj: the same with inner nodes moved by a quarter of a quad to and fro, along and across.
 """
 import math
 import pathlib
@@ -68,8 +71,28 @@ def cylinder_plate(r, w, length=10.0, rows=4):
     return [("cylinder", points, faces), ("plate", ellipse + corners, plate)]
 
 
+def twisted_beam(zigzag, length=12.0, width=1.1, along=12, across=2):
+    points, faces = [], []
+    for i in range(along + 1):
+        for j in range(across + 1):
+            inner = 0 < i < along and 0 < j < across
+            p = i + (zigzag * (-1) ** (i + j) if inner else 0)
+            q = j + (zigzag * (-1) ** i if inner else 0)
+            turn, d = math.pi / 2 * p / along, width * (q / across - 0.5)
+            c, s = (1.0, 0.0) if i == 0 else (0.0, 1.0) if i == along else (math.cos(turn), math.sin(turn))
+            points.append((length * p / along, d * c, d * s))
+    n = across + 1
+    for i in range(along):
+        for j in range(across):
+            k = n * i + j
+            faces.append((k, k + n, k + n + 1, k + 1))
+    return points, faces
+
+
 for a, name in ((5.0, "hole_5.obj"), (2.5, "hole_2_5.obj")):
     write(name, f"A quarter of a roof with a hole of radius {a}", [(None, *hole(a))])
 for r, w in ((3.0, 15.0), (6.0, 30.0)):
     write(f"cylinder_plate_{r:.0f}.obj", f"A cylinder of radius {r} on a plate of width {w}",
           cylinder_plate(r, w))
+for zigzag, name in ((0, "twisted_beam.obj"), (0.25, "twisted_beam_zigzag.obj")):
+    write(name, "A strip of 12 by 1.1, twisted by 90 degrees", [(None, *twisted_beam(zigzag))])

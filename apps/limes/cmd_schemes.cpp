@@ -148,7 +148,9 @@ void add_schemes(CLI::App& program) {
       "extraordinary vertices; 'none' cannot be evaluated exactly. Curve schemes refine the\n"
       "polylines (l) of .obj files; lane-riesenfeld:D has any degree D from 1 to 20.\n\n"
       "Of one scheme: the stencils of all rules, the mask of a regular mesh (the coefficients of\n"
-      "the two-scale relation), and the rows of the limit and its tangents.\n\n"
+      "the two-scale relation), and the rows of the limit and its tangents. Of a curve scheme: "
+      "mask,\n"
+      "symbol and both stencils.\n\n"
       "  limes schemes catmull-clark --valence 5\n"
       "  limes schemes four-point --json");
   app.final_callback([command] { (*command)(); });

@@ -13,6 +13,7 @@
 #include "limes/spectrum/characteristic_picture.h"
 #include "limes/subdiv/schemes.h"
 #include "mask_table.h"
+#include "pattern_table.h"
 #include "run.h"
 #include "table.h"
 #include "terminal.h"
@@ -128,16 +129,21 @@ void SpectrumCommand::operator()() const {
   std::vector<Analysis> results;
   for (const int valence : possible)
     results.push_back(analyse(chosen, valence, options));
+  std::vector<ControlPattern> patterns;  // of the scheme whose splits depend on positions
+  if (chosen.needs_positions) patterns = control_patterns(first, last);
 
   if (!picture.empty()) write_drawing(picture, characteristic_picture(chosen, results));
   if (run.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Analysis& a : results)
       list.push_back(to_json(a.spectrum));
-    print_object({{"scheme", chosen.name}, {"results", std::move(list)}});
+    nlohmann::ordered_json object{{"scheme", chosen.name}, {"results", std::move(list)}};
+    if (!patterns.empty()) object["patterns"] = to_json(patterns);
+    print_object(object);
     return;
   }
   print_table(results);
+  if (!patterns.empty()) print("\n" + to_text(patterns));
   if (results.size() != 1) return;
   const std::string masks = mask_table(results[0].spectrum, results[0].local->num_sectors());
   if (!masks.empty()) print("\n" + masks);
@@ -171,7 +177,9 @@ void add_spectrum(CLI::App& program) {
   app.footer(
       "Eigenvalues belong to blocks: in block k an eigenvector turns by k/n of a full turn from\n"
       "sector to sector. With a single valence the masks of the limit point and of the tangents\n"
-      "follow.\n\n"
+      "follow. quasi-four-eight also says after which pass the pattern of edges around a control\n"
+      "vertex repeats: among the triangles of a polygon alone, and with further ones around "
+      "them.\n\n"
       "  limes spectrum --scheme catmull-clark --valence 3..12 -o maps.svg\n"
       "  limes spectrum --scheme loop --valence 7 --json");
   app.final_callback([command] { (*command)(); });

@@ -7,6 +7,7 @@
 #include "limes/subdiv/breakpoints.h"
 #include "mask_table.h"
 #include "rule_layout.h"
+#include "symbol_text.h"
 
 namespace limes::app {
 namespace {
@@ -29,6 +30,10 @@ std::string name_of(Rule::Place place) {
       return "crease";
     case Rule::Place::dart:
       return "dart";
+    case Rule::Place::semi_sharp:
+      return "semi-sharp";
+    case Rule::Place::sharp_vertex:
+      return "sharp-vertex";
   }
   return {};
 }
@@ -44,6 +49,10 @@ std::string lines_of(Rule::Place place) {
       return " (y = 0)";
     case Rule::Place::dart:
       return " (y = 0, x >= 0)";
+    case Rule::Place::semi_sharp:
+      return " (y = 0, sharpness 1/2)";
+    case Rule::Place::sharp_vertex:
+      return " (0, 0)";
     default:
       return {};
   }
@@ -222,15 +231,17 @@ std::string to_text(const CurveScheme& scheme) {
       text += fmt::format(" {}", weight_text(w));
     return text;
   };
-  return fmt::format("{}: {}\n\nmask, from {}:{}\neven stencil:{}\nodd stencil:{}\n", scheme.name,
-                     scheme.summary, scheme.mask.first, list(scheme.mask.weights),
-                     list(scheme.mask.stencil(0)), list(scheme.mask.stencil(1)));
+  return fmt::format("{}: {}\n\nmask, from {}:{}\nsymbol: {}\neven stencil:{}\nodd stencil:{}\n",
+                     scheme.name, scheme.summary, scheme.mask.first, list(scheme.mask.weights),
+                     symbol_text(scheme.mask), list(scheme.mask.stencil(0)),
+                     list(scheme.mask.stencil(1)));
 }
 
 nlohmann::ordered_json to_json(const CurveScheme& s) {
   return {{"name", s.name},
           {"mask", s.mask.weights},
           {"first", s.mask.first},
+          {"symbol", symbol_text(s.mask)},
           {"even_stencil", s.mask.stencil(0)},
           {"odd_stencil", s.mask.stencil(1)},
           {"summary", s.summary}};

@@ -101,12 +101,12 @@ def panel(scheme, title, degree, top):
     check(degree, fine)
     place = lambda x, y: (70 + UNIT * x, top + HEIGHT - 40 - UNIT * y)
     line = lambda points, style: drawing.polyline([place(*p) for p in points], f'fill="none" {style}')
-    middle_of_edge = lambda i: degree % 2 and i % 2
+    on_an_edge = lambda i: degree % 2 == 0 or i % 2  # labels stand outside there, else within the bend
     return [line(limit, f'stroke="{drawing.RED}" stroke-width="2.2"'),
             line(POLYGON, f'stroke="{drawing.INK}" stroke-width="1.2"'),
             line(fine, f'stroke="{drawing.BLUE}" stroke-width="1"'),
             *labels(POLYGON, degree, Fraction(1), lambda i: 1, 14, drawing.INK, place),
-            *labels(fine, degree, Fraction(1, 2), lambda i: 1 if middle_of_edge(i) else -1, 10.5, drawing.BLUE, place),
+            *labels(fine, degree, Fraction(1, 2), lambda i: 1 if on_an_edge(i) else -1, 10.5, drawing.BLUE, place),
             drawing.text(GAP / 2, top + 18, title, 14, weight="bold")]
 
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -34,6 +35,29 @@ TEST(SpectrumCommand, KnowsEveryScheme) {
     EXPECT_EQ(result.exit_code, 0) << s.name << result.err;
     EXPECT_NE(result.out.find("SUBDOMINANT"), std::string::npos);
   }
+}
+
+/// [velho_quasi48], Figure 5: polygons of 3, 4, 5 sides get centres of valence 6, 8, 10.
+TEST(SpectrumCommand, SaysWhenPatternsRepeat) {
+  const Result result =
+      run_limes({"spectrum", "--scheme", "quasi-four-eight", "--valence", "3..5", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json patterns = Json::parse(result.out)["patterns"];
+  ASSERT_EQ(patterns["around"].size(), 6U);
+  for (const Json& p : patterns["around"]) {
+    EXPECT_EQ(p["valence"], 2 * p["control_valence"].get<int>());
+    EXPECT_EQ(p["period"], 1);
+    EXPECT_EQ(p["regular"], true);
+    EXPECT_LT(p["repeats_after"].get<int>(), 10);
+  }
+  EXPECT_EQ(patterns["around"][0]["mesh"], "polygon");
+  EXPECT_EQ(patterns["around"][1]["mesh"], "star");
+  const Result text = run_limes({"spectrum", "--scheme", "quasi-four-eight", "--valence", "4..5"});
+  EXPECT_NE(text.out.find("REPEATS AFTER PASS"), std::string::npos);
+  for (const char* scheme : {"loop", "four-eight"})
+    EXPECT_FALSE(
+        Json::parse(run_limes({"spectrum", "--scheme", scheme, "--valence", "6", "--json"}).out)
+            .contains("patterns"));
 }
 
 TEST(SpectrumCommand, DrawsCharacteristicMaps) {
@@ -92,6 +116,43 @@ TEST(SchemesCommand, KnowsEveryScheme) {
   }
   const Json curve = Json::parse(run_limes({"schemes", "chaikin", "--json"}).out);
   EXPECT_EQ(curve["mask"], Json::parse("[0.25, 0.75, 0.75, 0.25]"));
+}
+
+std::string symbol(const std::vector<std::string>& scheme) {
+  std::vector<std::string> arguments{"schemes", "--json"};
+  arguments.insert(arguments.end(), scheme.begin(), scheme.end());
+  const Result result = run_limes(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out)["symbol"];
+}
+
+/// (1 + z)^(degree + 1) / 2^degree [lane_riesenfeld_1980], its lowest power z^first.
+std::string lane_riesenfeld_symbol(int degree, int first) {
+  std::string terms;
+  std::int64_t binomial = 1;
+  for (int k = 0; k <= degree + 1; ++k) {
+    const int power = first + k;
+    std::string term = power == 0 ? "" : power == 1 ? "z" : "z^" + std::to_string(power);
+    if (binomial != 1 || term.empty())
+      term = std::to_string(binomial) + (term.empty() ? "" : " ") + term;
+    terms += (k == 0 ? "" : " + ") + term;
+    binomial = binomial * (degree + 1 - k) / (k + 1);
+  }
+  return "(" + terms + ") / " + std::to_string(std::int64_t{1} << degree);
+}
+
+TEST(SchemesCommand, PrintsTheSymbolsOfCurveSchemes) {
+  EXPECT_EQ(symbol({"chaikin"}), "(z^-1 + 3 + 3 z + z^2) / 4");
+  EXPECT_EQ(symbol({"lane-riesenfeld:3"}), "(z^-2 + 4 z^-1 + 6 + 4 z + z^2) / 8");
+  for (const int degree : {1, 2, 4, 7, 16, 20})
+    EXPECT_EQ(symbol({"lane-riesenfeld:" + std::to_string(degree)}),
+              lane_riesenfeld_symbol(degree, -((degree + 1) / 2)));
+  // [dyn_1987]: omega = 1/16, and two others.
+  EXPECT_EQ(symbol({"four-point"}), "(-z^-3 + 9 z^-1 + 16 + 9 z - z^3) / 16");
+  EXPECT_EQ(symbol({"four-point", "--tension", "0"}), "(z^-1 + 2 + z) / 2");
+  EXPECT_EQ(symbol({"four-point", "--tension", "0.8"}), "(-z^-3 + 11 z^-1 + 20 + 11 z - z^3) / 20");
+  const Result text = run_limes({"schemes", "chaikin"});
+  EXPECT_NE(text.out.find("\nsymbol: (z^-1 + 3 + 3 z + z^2) / 4\n"), std::string::npos) << text.out;
 }
 
 TEST(SchemesCommand, RefusesWrongUsage) {

@@ -61,9 +61,22 @@ std::pair<double, double> energy_and_inner_force(const ShellSection& section, co
   return {energy, inner};
 }
 
-TEST(Mitc4, RigidMotionsAreFreeOnCurvedQuads) {
+class EveryMembrane : public ::testing::TestWithParam<MembraneStrain> {
+ protected:
+  static ShellSection section(double young, double poisson, double thickness) {
+    return {young, poisson, thickness, 5.0 / 6, GetParam()};
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Mitc4, EveryMembrane,
+                         ::testing::Values(MembraneStrain::displacement, MembraneStrain::assumed),
+                         [](const auto& strain) {
+                           return strain.param == MembraneStrain::assumed ? "assumed"
+                                                                          : "displacement";
+                         });
+
+TEST_P(EveryMembrane, RigidMotionsAreFreeOnCurvedQuads) {
   const ShellQuad q = curved_quad();
-  const ShellMatrix K = mitc4_stiffness(q, {2e3, 0.3, 0.1});
+  const ShellMatrix K = mitc4_stiffness(q, section(2e3, 0.3, 0.1));
   EXPECT_EQ((K - K.transpose()).norm(), 0);
   for (int mode = 0; mode < 6; ++mode) {
     ShellVector u = ShellVector::Zero();
@@ -81,17 +94,16 @@ TEST(Mitc4, RigidMotionsAreFreeOnCurvedQuads) {
 }
 
 // Six rigid motions and the rotation about the director at each node, nothing else.
-TEST(Mitc4, HasNoSpuriousMechanism) {
-  const ShellMatrix K = mitc4_stiffness(curved_quad(), {1, 0.3, 0.5});
+TEST_P(EveryMembrane, HasNoSpuriousMechanism) {
+  const ShellMatrix K = mitc4_stiffness(curved_quad(), section(1, 0.3, 0.5));
   const auto values = Eigen::SelfAdjointEigenSolver<ShellMatrix>(K).eigenvalues();
   EXPECT_LT(std::abs(values(9)), 1e-14);
   EXPECT_GT(values(10), 1e-6);
 }
 
-TEST(Mitc4, ConstantMembraneStrainOnDistortedPatch) {
-  const ShellSection section{1000, 0.25, 0.2};
+TEST_P(EveryMembrane, ConstantMembraneStrainOnDistortedPatch) {
   const Mat2 eps = (Mat2() << 1e-3, 4e-4, 4e-4, -2e-3).finished();
-  const auto [energy, inner] = energy_and_inner_force(section, [&](const Vec3& x) {
+  const auto [energy, inner] = energy_and_inner_force(section(1000, 0.25, 0.2), [&](const Vec3& x) {
     NodeVector u = NodeVector::Zero();
     u.head<2>() = eps * x.head<2>();
     return u;
@@ -104,8 +116,8 @@ TEST(Mitc4, ConstantMembraneStrainOnDistortedPatch) {
 }
 
 // w = x . kappa x / 2 with Kirchhoff's rotations theta = (w,y, -w,x): no shear, constant moments.
-TEST(Mitc4, ConstantCurvatureOnDistortedPatch) {
-  const ShellSection section{1000, 0.25, 0.1};
+TEST_P(EveryMembrane, ConstantCurvatureOnDistortedPatch) {
+  const ShellSection plate = section(1000, 0.25, 0.1);
   const Mat2 kappa = (Mat2() << 0.3, 0.1, 0.1, -0.2).finished();
   const auto field = [&](const Vec3& x) {
     const Vec2 gradient = kappa * x.head<2>();
@@ -113,7 +125,7 @@ TEST(Mitc4, ConstantCurvatureOnDistortedPatch) {
     u << 0, 0, x.head<2>().dot(gradient) / 2, gradient.y(), -gradient.x(), 0;
     return u;
   };
-  const auto [energy, inner] = energy_and_inner_force(section, field);
+  const auto [energy, inner] = energy_and_inner_force(plate, field);
   const double D = 1000 * 1e-3 / (12 * (1 - 0.25 * 0.25));
   const double density =
       D / 2 * ((1 - 0.25) * kappa.squaredNorm() + 0.25 * kappa.trace() * kappa.trace());
@@ -122,7 +134,7 @@ TEST(Mitc4, ConstantCurvatureOnDistortedPatch) {
 
   const Patch patch;
   const ShellResultants s =
-      mitc4_resultants(patch.quad(4), section, patch.field(4, field), {0.2, -0.3});
+      mitc4_resultants(patch.quad(4), plate, patch.field(4, field), {0.2, -0.3});
   EXPECT_NEAR(s.bending(0, 0), -D * (0.3 - 0.25 * 0.2), 1e-12 * D);
   EXPECT_NEAR(s.bending(0, 1), -D * 0.75 * 0.1, 1e-12 * D);
   EXPECT_LT(s.membrane.norm() + s.shear.norm(), 1e-12);
@@ -131,6 +143,69 @@ TEST(Mitc4, ConstantCurvatureOnDistortedPatch) {
   const double sxy = 12 * s.bending(0, 1) / 1e-3 * 0.05;
   EXPECT_NEAR(shell_von_mises(s, 0.1, 0.05), std::sqrt(sx * sx - sx * sy + sy * sy + 3 * sxy * sxy),
               1e-10);
+}
+
+// It does not matter which corner comes first.
+TEST_P(EveryMembrane, IsIsotropic) {
+  const ShellQuad q = curved_quad();
+  const ShellMatrix K = mitc4_stiffness(q, section(1, 0.3, 0.1));
+  for (std::size_t first = 1; first < 4; ++first) {
+    ShellQuad turned;
+    ShellMatrix back;
+    for (std::size_t a = 0; a < 4; ++a) {
+      turned.x[a] = q.x[(a + first) % 4];
+      turned.director[a] = q.director[(a + first) % 4];
+    }
+    const ShellMatrix L = mitc4_stiffness(turned, section(1, 0.3, 0.1));
+    const auto block = [first](int a) { return 6 * ((a + static_cast<int>(first)) % 4); };
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+        back.block<6, 6>(block(a), block(b)) = L.block<6, 6>(6 * a, 6 * b);
+    EXPECT_LT((back - K).norm(), 1e-14 * K.norm()) << first;
+  }
+}
+
+/// In-plane bending u = x y, v = -x^2 / 2 of one flat element.
+double in_plane_bending_energy(const std::array<Vec3, 4>& x, MembraneStrain membrane) {
+  ShellQuad q{x, {}};
+  q.director.fill(Vec3::UnitZ());
+  ShellVector u = ShellVector::Zero();
+  for (std::size_t a = 0; a < 4; ++a)
+    u.segment<2>(static_cast<Eigen::Index>(6 * a)) << x[a].x() * x[a].y(), -x[a].x() * x[a].x() / 2;
+  return u.dot(mitc4_stiffness(q, {120, 0, 0.1, 5.0 / 6, membrane}) * u) / 2;
+}
+
+// Beam theory: E I L / 2 with I = t b^3 / 12. Displacements alone have shear, which adds
+// (1 - nu) / 2 (L / b)^2 times as much.
+TEST(Mitc4Assumed, InPlaneBendingOfARectangleIsThatOfABeam) {
+  const std::array<Vec3, 4> x{Vec3(-2, -0.5, 0), Vec3(2, -0.5, 0), Vec3(2, 0.5, 0),
+                              Vec3(-2, 0.5, 0)};
+  const double exact = 120 * 0.1 / 12 * 4 / 2;
+  EXPECT_NEAR(in_plane_bending_energy(x, MembraneStrain::assumed), exact, 1e-12);
+  EXPECT_NEAR(in_plane_bending_energy(x, MembraneStrain::displacement), exact * (1 + 16.0 / 2),
+              1e-12);
+}
+
+// The element on z = k x y twists further by w = x y, its straight sides keep their lengths by
+// u = -k (x, y), and normals turn by V x dN / |N| with N = (-k y, -k x, 1). What remains is the bending
+// energy of a constant twist, (1 - nu) D times the area.
+TEST(Mitc4Assumed, AWarpedElementTwistsWithoutStretching) {
+  const double k = 0.1, t = 1e-4, D = 1.2e13 * t * t * t / 12;
+  ShellQuad q;
+  ShellVector u = ShellVector::Zero();
+  for (std::size_t a = 0; a < 4; ++a) {
+    const double x = a == 1 || a == 2 ? 1 : -1, y = a > 1 ? 1 : -1;
+    q.x[a] = Vec3(x, y, k * x * y);
+    const Vec3 N(-k * y, -k * x, 1), dN = (1 + k * k) * Vec3(-y, -x, 0);
+    q.director[a] = N.normalized();
+    u.segment<6>(static_cast<Eigen::Index>(6 * a)) << -k * x, -k * y, x * y,
+        q.director[a].cross(dN) / N.norm();
+  }
+  const auto energy = [&](MembraneStrain membrane) {
+    return u.dot(mitc4_stiffness(q, {1.2e13, 0, t, 5.0 / 6, membrane}) * u) / 2;
+  };
+  EXPECT_GT(energy(MembraneStrain::displacement), 1000 * D * 4);
+  EXPECT_NEAR(energy(MembraneStrain::assumed), D * 4, 0.1 * D * 4);
 }
 
 // gamma = w,x + theta_y: a constant transverse shear carries the factor.

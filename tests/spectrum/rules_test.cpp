@@ -7,6 +7,8 @@
 #include <map>
 
 #include "limes/math/fraction.h"
+#include "limes/mesh/shapes.h"
+#include "limes/spectrum/rule_site.h"
 #include "limes/spectrum/rules.h"
 #include "limes/subdiv/schemes.h"
 
@@ -38,6 +40,16 @@ bool agree(const Rule& rule, const std::vector<double>& weights, double denomina
                     [](double a, double b) { return std::abs(a - b) < 1e-12; });
 }
 
+/// Every quad cut in two.
+Topology halved(const Topology& quads) {
+  std::vector<VertexId> corners;
+  for (int f = 0; f < quads.num_faces(); ++f) {
+    const auto q = quads.face(FaceId(f));
+    corners.insert(corners.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+  }
+  return Topology(quads.num_vertices(), 3, std::move(corners));
+}
+
 struct Published {
   const char* scheme;
   int valence;  // 0: regular, boundary, ...
@@ -58,6 +70,12 @@ const std::vector<Published> published{
     {"catmull-clark", 0, Place::boundary, Kind::edge, 2, {1, 1}},
     {"catmull-clark", 0, Place::crease, Kind::vertex, 8, {1, 6, 1}},
     {"catmull-clark", 0, Place::corner, Kind::vertex, 1, {1}},
+    // [derose_1998]: sharpness 1/2 is half of the crease's rule and half of the smooth one.
+    {"catmull-clark", 0, Place::semi_sharp, Kind::vertex, 128, {1, 6, 1, 14, 84, 14, 1, 6, 1}},
+    {"catmull-clark", 0, Place::semi_sharp, Kind::edge, 32, {1, 1, 14, 14, 1, 1}},
+    {"catmull-clark", 0, Place::sharp_vertex, Kind::vertex, 1, {1}},
+    {"loop", 0, Place::semi_sharp, Kind::vertex, 32, {1, 1, 3, 22, 3, 1, 1}},
+    {"loop", 0, Place::semi_sharp, Kind::edge, 16, {1, 7, 7, 1}},
     {"catmull-clark", 3, Place::star, Kind::vertex, 36, {15, 6, 6, 6, 1, 1, 1}},
     {"catmull-clark", 3, Place::face, Kind::face, 3, {1, 1, 1}},
     {"loop", 0, Place::regular, Kind::vertex, 16, {10, 1, 1, 1, 1, 1, 1}},
@@ -101,6 +119,30 @@ TEST(Rules, ArePublishedOnes) {
                             }))
         << p.scheme << " valence " << p.valence << " place " << static_cast<int>(p.place)
         << " kind " << static_cast<int>(p.kind);
+  }
+}
+
+/// Around a vertex of the boundary with another number of faces: the rules listed for regular ones.
+TEST(Rules, OfBoundariesHoldAtEveryValence) {
+  for (const char* name : {"catmull-clark", "loop", "linear", "four-eight", "sqrt3"}) {
+    const Scheme& scheme = find_scheme(name);
+    const SchemeRules listed = rules_of(name);
+    for (const int num_faces : {1, 3, 4, 7})
+      for (int step = 0; step < num_different_steps(scheme); ++step) {
+        SCOPED_TRACE(testing::Message() << name << ", " << num_faces << " faces, step " << step);
+        Lattice half{shapes::half_disk(num_faces, 6), VertexId(0)};
+        if (scheme.faces == FaceKind::triangles) half.mesh.topology = halved(half.mesh.topology);
+        const RuleSite site(scheme, half, 1.0, step);
+        for (const VertexId child : site.children_around(half.middle)) {
+          std::vector<double> weights;
+          for (SparseMatrix::InnerIterator entry(site.matrix(), child.value); entry; ++entry)
+            if (entry.value() != 0) weights.push_back(entry.value());
+          EXPECT_TRUE(std::any_of(listed.rules.begin(), listed.rules.end(), [&](const Rule& rule) {
+            const bool plain = rule.place == Place::regular || rule.place == Place::boundary;
+            return plain && rule.kind == site.source(child).kind && agree(rule, weights, 1);
+          }));
+        }
+      }
   }
 }
 

@@ -136,7 +136,8 @@ class Draft {
       set("model", "kind", "\"mitc4\"");
       set(table, "parts", "[\"a\", \"b\"]");
     }
-    if (key == "shear_factor" || key == "kink_angle") set("model", "kind", "\"mitc4\"");
+    if (key == "shear_factor" || key == "kink_angle" || key == "membrane")
+      set("model", "kind", "\"mitc4\"");
     if (table == "support" && (key == "kind" || key == "rotation")) {
       set("model", "kind", "\"mitc4\"");
       erase(table, "fix");

@@ -111,6 +111,7 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.model.kind, ModelKind::mitc4);
   EXPECT_EQ(p.model.shear_factor, 1);
   EXPECT_EQ(p.model.kink_angle, 45);
+  EXPECT_TRUE(p.model.assumed_membrane);
   ASSERT_EQ(p.supports.size(), 2U);
   EXPECT_EQ(p.supports[0].kind, SupportKind::supported);
   EXPECT_TRUE(p.supports[0].hard);
@@ -194,7 +195,7 @@ TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
 
 TEST(Problem, KeysOfAnotherKindAreRefused) {
   const std::string plane = Draft().text();
-  for (const char* key : {"shear_factor = 1", "kink_angle = 20"}) {
+  for (const char* key : {"shear_factor = 1", "kink_angle = 20", "membrane = \"assumed\""}) {
     std::string text = plane;
     text.insert(text.find("kind"), std::string(key) + "\n");
     expect_message(message_of<InputError>(text), "p.toml:", {"is no key of plane models"});
@@ -230,6 +231,7 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"geometry axis", vector(geometry.axis)},
       {"model shear_factor", p.model.shear_factor == 5.0 / 6.0 ? "5/6" : "?"},
       {"model kink_angle", fmt::format("{}", p.model.kink_angle)},
+      {"model membrane", p.model.assumed_membrane ? "assumed" : "displacement"},
       {"support rotation", p.supports.at(0).hard ? "hard" : "soft"},
       {"material thickness", fmt::format("{}", p.materials.at(0).thickness)},
       {"material conductivity", fmt::format("{}", p.materials.at(0).conductivity)},

@@ -13,12 +13,19 @@ namespace limes {
 // theta_i of node a. Rotation about the director ("drilling") does no work in the element: its matrix
 // has a zero eigenvalue for each node, which the model takes out or another element stiffens.
 
+/// Membrane strains of the middle surface. Assumed ones are for convex elements, or nearly so.
+enum class MembraneStrain {
+  displacement,  ///< as the displacements give them: plain MITC4
+  assumed        ///< tied, and with constant in-plane shear: thin warped elements do not lock
+};
+
 /// Isotropic, of constant thickness.
 struct ShellSection {
   double young = 1;                 ///< > 0
   double poisson = 0;               ///< in (-1, 1/2)
   double thickness = 1;             ///< > 0
   double shear_factor = 5.0 / 6.0;  ///< of the transverse shear stiffness, > 0
+  MembraneStrain membrane = MembraneStrain::displacement;
 };
 
 /// Corners in order, counter-clockwise seen from where the directors point to. Natural coordinates

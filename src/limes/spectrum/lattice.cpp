@@ -28,7 +28,7 @@ Lattice lattice(int face_size, Region region, int reach) {
   return result;
 }
 
-void add_crease(Lattice& lattice, CreaseLine line) {
+void add_crease(Lattice& lattice, CreaseLine line, float sharpness) {
   const Topology& topology = lattice.mesh.topology;
   const auto on_line = [&](VertexId v) {
     const Vec3& x = lattice.mesh.points[v];
@@ -40,7 +40,7 @@ void add_crease(Lattice& lattice, CreaseLine line) {
       const VertexId a = face[i], b = face[(i + 1) % face.size()];
       // Every edge of the line once: from the face above.
       if (on_line(a) && on_line(b) && lattice.mesh.points[a].x() < lattice.mesh.points[b].x())
-        lattice.mesh.tags.creases.push_back({a, b, infinite_sharpness});
+        lattice.mesh.tags.creases.push_back({a, b, sharpness});
     }
   }
 }

@@ -18,6 +18,6 @@ struct Lattice {
 
 /// Tags the edges along y = 0 as creases: all, or (a dart) those with x >= 0.
 enum class CreaseLine { through, ends };
-void add_crease(Lattice& lattice, CreaseLine line);
+void add_crease(Lattice& lattice, CreaseLine line, float sharpness = infinite_sharpness);
 
 }  // namespace limes

@@ -191,6 +191,14 @@ SchemeRules scheme_rules(const Scheme& scheme, double tension, const LocalSubdiv
   Lattice dart = lattice(face_size, Region::plane, lattice_reach);
   add_crease(dart, CreaseLine::ends);
   all.add(dart, Rule::Place::dart);
+  if (!scheme.interpolatory) {  // these know infinitely sharp edges only
+    Lattice semi_sharp = lattice(face_size, Region::plane, lattice_reach);
+    add_crease(semi_sharp, CreaseLine::through, 0.5F);
+    all.add(semi_sharp, Rule::Place::semi_sharp);
+  }
+  Lattice point = lattice(face_size, Region::plane, lattice_reach);
+  point.mesh.tags.corners.push_back({point.middle, infinite_sharpness});
+  all.add(point, Rule::Place::sharp_vertex);
   return std::move(all.result);
 }
 

@@ -18,7 +18,17 @@ struct RuleWeight {
 
 /// The weights that make one new vertex.
 struct Rule {
-  enum class Place { regular, star, face, boundary, corner, crease, dart };
+  enum class Place {
+    regular,
+    star,
+    face,
+    boundary,
+    corner,
+    crease,
+    dart,
+    semi_sharp,   ///< crease of sharpness 1/2, smooth after the step
+    sharp_vertex  ///< inside, no sharp edges
+  };
   Place place;
   ChildVertex::Kind kind;     ///< what the new vertex is made from
   std::vector<int> steps;     ///< from 1; those of the first few in which it occurs

@@ -208,7 +208,7 @@ void ProblemReader::read_model() {
   for (const TableReader& table : tables("model")) {
     ModelSettings& model = problem_.model;
     model.line = table.line();
-    std::string kind, boundary;
+    std::string kind, boundary, membrane;
     table.read("kind", kind);
     table.read("boundary", boundary);
     model.kind = kind == "mitc4"          ? ModelKind::mitc4
@@ -217,6 +217,8 @@ void ProblemReader::read_model() {
                                           : ModelKind::plane_stress;
     table.read("shear_factor", model.shear_factor);
     table.read("kink_angle", model.kink_angle);
+    table.read("membrane", membrane);
+    model.assumed_membrane = membrane == "assumed";
     model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
     table.read("kinks", model.kinks);
     table.read("quadrature_points", model.quadrature_points);
@@ -225,7 +227,7 @@ void ProblemReader::read_model() {
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
                   "kind = \"mitc4\"");
     else
-      refuse_keys(table, "model", {"shear_factor", "kink_angle"}, "plane models");
+      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane"}, "plane models");
   }
 }
 

@@ -77,6 +77,7 @@ struct ModelSettings {
   int quadrature_depth = 4;         ///< rings of tiles around an extraordinary vertex, 0 to 30
   double shear_factor = 5.0 / 6.0;  ///< of shells, > 0
   double kink_angle = 20;           ///< of shells, in degrees
+  bool assumed_membrane = false;    ///< of shells: membrane strains are tied, see fem/mitc4.h
   int line = 0;
 };
 

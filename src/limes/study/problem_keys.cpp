@@ -170,6 +170,14 @@ constexpr std::array keys{
         .range = from_to(1, 90),
         .initial = "20",
         .help = "mitc4: faces that meet at more degrees than this have directors of their own"},
+    Key{.table = "model",
+        .name = "membrane",
+        .type = ValueType::name,
+        .choices = "displacement assumed",
+        .initial = "displacement",
+        .help =
+            "mitc4: membrane strains of the displacements, or assumed ones that do not lock thin "
+            "warped elements (MITC4+)"},
 
     Key{.table = "material",
         .name = "where",

@@ -190,7 +190,8 @@ ShellQuad ShellModel::quad(FaceId face) const {
 ShellSection ShellModel::section(FaceId face) const {
   const auto m = static_cast<std::size_t>(material_of_face[static_cast<std::size_t>(face.value)]);
   const MaterialSettings& material = problem.materials[m];
-  return {material.young, material.poisson, material.thickness, problem.model.shear_factor};
+  return {material.young, material.poisson, material.thickness, problem.model.shear_factor,
+          problem.model.assumed_membrane ? MembraneStrain::assumed : MembraneStrain::displacement};
 }
 
 ShellVector ShellModel::unknowns(FaceId face, const VectorX& u) const {

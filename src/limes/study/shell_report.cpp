@@ -25,8 +25,9 @@ std::vector<std::string> row(const std::string& name, const Vec3& a, const Vec3&
 void add_summary(const ShellResult& result, HtmlReport& report) {
   const Problem& problem = result.model.problem;
   report.summary(
-      {{"Model",
-        fmt::format("shell, MITC4 elements, shear factor {}", shown(problem.model.shear_factor))},
+      {{"Model", fmt::format("shell, MITC4 elements, {} membrane strains, shear factor {}",
+                             problem.model.assumed_membrane ? "assumed" : "displacement",
+                             shown(problem.model.shear_factor))},
        {"Mesh",
         fmt::format("{}, {}, refined {}", problem.mesh.file.string(),
                     counted(static_cast<std::size_t>(result.model.control.topology.num_faces()),

@@ -58,6 +58,26 @@ void set_reactions(const ShellModel& model, const ShellConstraints& supports, co
   }
 }
 
+/// With x_d = c_r x_r + c_s x_s + ..., see docs/theory/mitc4.md, elements with |c_r| + |c_s| >= 1 are not
+/// convex; they fold over at a Gauss point from sqrt(3) on, and assumed membrane strains ask for
+/// c_r^2 + c_s^2 < 1 besides.
+void require_nearly_convex(const ShellModel& model) {
+  for (int f = 0; f < model.mesh->topology.num_faces(); ++f) {
+    const ShellQuad quad = model.quad(FaceId(f));
+    const Vec3 up = quad.area_normal({0, 0});
+    const auto area = [&](double r, double s) {
+      return quad.area_normal({r, s}).dot(up) / up.squaredNorm();
+    };
+    const double cr = (area(0, 1) - area(0, -1)) / 2, cs = (area(1, 0) - area(-1, 0)) / 2;
+    if (std::abs(cr) + std::abs(cs) < std::sqrt(3.0) && cr * cr + cs * cs < 1) continue;
+    const int corner = cr > 0 ? (cs > 0 ? 0 : 1) : (cs > 0 ? 3 : 2);
+    throw InputError(
+        "{}: face {} of the refined mesh is far from convex at its corner {}; membrane = "
+        "\"assumed\" needs faces that are nearly so",
+        mesh_path(model.problem).string(), f, corner);
+  }
+}
+
 double load_size(const VectorX& f) {
   double sum = 0;
   for (Eigen::Index v = 0; v < f.size() / 6; ++v)
@@ -91,6 +111,7 @@ SparseMatrix shell_matrix(const ShellModel& model) {
 }
 
 ShellSolution solve_shell(const ShellModel& model) {
+  if (model.problem.model.assumed_membrane) require_nearly_convex(model);
   ShellSolution solution;
   const ShellConstraints supports = shell_support_constraints(model);
   require_no_rigid_motion(model, supports);

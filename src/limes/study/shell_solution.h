@@ -30,7 +30,8 @@ struct ShellSolution {
   std::vector<Reaction> reactions;
 };
 
-/// @throws InputError for a rigid motion left free, SolverError if the factorisation fails
+/// @throws InputError for a rigid motion left free or, with assumed membrane strains, a face far from convex; SolverError if the
+///         factorisation fails
 [[nodiscard]] ShellSolution solve_shell(const ShellModel& model);
 
 /// Sum of the element matrices, six unknowns per vertex.
