@@ -6,7 +6,8 @@ that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the h
 
 cylinder_plate_3.obj, cylinder_plate_6.obj: a cylinder of radius 3 or 6 that leaves a square plate of width
 15 or 30 at 45 degrees, two parts with vertices of their own on the ellipse that they share. The plate has its
-four corners and eight nodes on the ellipse.
+four corners and eight nodes on the ellipse. cylinder_plate_6_quads.obj: the same all of quads, for the scheme
+kobbelt; the plate has the middles of its sides as well.
 
 twisted_beam.obj: a strip of length 12 and width 1.1, twisted by 90 degrees about its axis. 12 quads along, 2 across.
 twisted_beam_zigzag.obj: the same with inner nodes moved by a quarter of a quad to and fro, along and across.
@@ -47,9 +48,9 @@ def hole(a):
     return points, faces
 
 
-def cylinder_plate(r, w, length=10.0, rows=4):
+def cylinder_plate(r, w, quads=False, length=10.0, rows=4):
     n, q = 8, math.sqrt(0.5)
-    angle = [math.radians(22.5 + 45 * i) for i in range(n)]
+    angle = [math.radians((0 if quads else 22.5) + 45 * i) for i in range(n)]
     points, faces = [], []
     for j in range(rows + 1):
         for p in angle:
@@ -64,6 +65,11 @@ def cylinder_plate(r, w, length=10.0, rows=4):
     corners = [(b, b, 0.0), (-b, b, 0.0), (-b, -b, 0.0), (b, -b, 0.0)]
     ellipse = points[:n]
     plate = []
+    if quads:
+        outer = [(b, 0.0, 0.0), corners[0], (0.0, b, 0.0), corners[1],
+                 (-b, 0.0, 0.0), corners[2], (0.0, -b, 0.0), corners[3]]
+        plate = [(i, n + i, n + (i + 1) % n, (i + 1) % n) for i in range(n)]
+        return [("cylinder", points, faces), ("plate", ellipse + outer, plate)]
     for i in range(4):  # at corner i the ellipse's nodes 2 i, 2 i + 1
         plate.append((2 * i + 1, 2 * i, 8 + i))
         k = (i + 1) % 4
@@ -94,5 +100,7 @@ for a, name in ((5.0, "hole_5.obj"), (2.5, "hole_2_5.obj")):
 for r, w in ((3.0, 15.0), (6.0, 30.0)):
     write(f"cylinder_plate_{r:.0f}.obj", f"A cylinder of radius {r} on a plate of width {w}",
           cylinder_plate(r, w))
+write("cylinder_plate_6_quads.obj", "A cylinder of radius 6 on a plate of width 30",
+      cylinder_plate(6.0, 30.0, quads=True))
 for zigzag, name in ((0, "twisted_beam.obj"), (0.25, "twisted_beam_zigzag.obj")):
     write(name, "A strip of 12 by 1.1, twisted by 90 degrees", [(None, *twisted_beam(zigzag))])
