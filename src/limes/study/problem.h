@@ -120,7 +120,7 @@ struct ProbeSettings {
   int line = 0;
 };
 
-enum class EstimatorKind { zienkiewicz_zhu };
+enum class EstimatorKind { zienkiewicz_zhu, residual };
 
 /// Refinement where the error is.
 struct AdaptSettings {
