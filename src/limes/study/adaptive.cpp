@@ -91,15 +91,17 @@ Json steps_json(const AdaptiveRun& run) {
 
 std::string end_of(const AdaptiveRun& run) {
   const std::string& end = run.history.end;
-  if (end == "target_error") return "The loop ended because the target of the error was reached.";
-  if (end == "no error left") return "The loop ended because no error was left to be seen.";
-  return fmt::format("The loop ended by {}.", end);
+  if (end == "target_error") return "The loop ended because target_error was reached.";
+  if (end == "max_dofs") return "The loop ended before a mesh with more than max_dofs.";
+  if (end == "max_steps") return "The loop ended after max_steps.";
+  if (end == "max_seconds") return "The loop ended after max_seconds.";
+  return "The loop ended because no error was left to be seen.";
 }
 
 Table steps_table(const AdaptiveRun& run) {
   const bool reference = run.history.steps.front().true_error.has_value();
-  Table table{"Error in the energy norm, and its part of the norm of the solution",
-              {"step", "unknowns", "elements", "energy", "estimated error", "part"},
+  Table table{"Error in the energy norm, and how much it is of the norm of the solution",
+              {"step", "unknowns", "elements", "energy", "estimated error", "of the norm"},
               {}};
   if (reference) table.header.insert(table.header.end(), {"true error", "effectivity"});
   int number = 0;
@@ -109,14 +111,14 @@ Table steps_table(const AdaptiveRun& run) {
                           format_readable(s.error_estimate, 4), percent(s.relative_error)});
     if (!reference) continue;
     table.rows.back().push_back(format_readable(*s.true_error, 4));
-    table.rows.back().push_back(s.effectivity ? format_readable(*s.effectivity, 3) : "");
+    table.rows.back().push_back(s.effectivity ? fmt::format("{:.2f}", *s.effectivity) : "");
   }
   return table;
 }
 
 Drawing steps_drawing(const AdaptiveRun& run) {
-  Series estimate{.name = "estimate", .points = {}};
-  Series error{.name = "error", .points = {}, .dashed = true};
+  Series estimate{.name = "estimated", .points = {}};
+  Series error{.name = "true", .points = {}, .dashed = true};
   for (const AdaptStep& s : run.history.steps) {
     estimate.points.emplace_back(s.dofs, s.error_estimate);
     if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
@@ -130,26 +132,33 @@ Drawing steps_drawing(const AdaptiveRun& run) {
 Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
                     const std::optional<Vec3>& direction) {
   FieldPicture field;
+  constexpr double lowest_shown = 0.01;
   double largest = 0;
   for (const double square : run.squares)
     largest = std::max(largest, std::sqrt(square));
   for (int f = 0; f < mesh.topology.num_faces(); ++f) {
-    const double error = std::sqrt(run.squares[static_cast<std::size_t>(f)]);
+    const double part = std::sqrt(run.squares[static_cast<std::size_t>(f)]) / largest;
+    const double colour = part > lowest_shown ? std::log10(part) : std::log10(lowest_shown);
     const int first = static_cast<int>(field.points.size());
     for (const VertexId v : mesh.topology.face(FaceId(f))) {
       field.points.push_back(mesh.points[v]);
-      field.values.push_back(largest > 0 ? error / largest : 0.0);
+      field.values.push_back(colour);
     }
     field.triangles.push_back({first, first + 1, first + 2});
     field.triangles.push_back({first, first + 2, first + 3});
   }
-  field.quantity = "η / η_{max}";
+  field.quantity = "log_{10} η / η_{max}";
+  field.scale = ColourScale{.low = std::log10(lowest_shown), .high = 0};
   constexpr int most_faces = 20'000;
   if (mesh.topology.num_faces() < most_faces) {
     field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
-    field.mesh_lines.width = 0.5;
+    field.mesh_lines.width = 0.35;
   }
-  return field_figure(field, {.title = "Mesh and error of the last step", .direction = direction});
+  return field_figure(field,
+                      {.title = "Mesh and error of the last step",
+                       .caption = "η is the estimated error of an element; what is less than "
+                                  "a hundredth of the largest has the lowest colour.",
+                       .direction = direction});
 }
 
 }  // namespace limes

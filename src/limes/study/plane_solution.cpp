@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/solve/linear.h"
 #include "limes/space/boundary_trace.h"
+#include "limes/study/error_estimate.h"
 #include "limes/study/periodic_cell.h"
 #include "limes/study/plane_loads.h"
 #include "limes/study/supports.h"
@@ -192,15 +192,14 @@ std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& sol
 }
 
 std::vector<double> estimate_error(const PlaneModel& model, const PlaneSolution& solution) {
-  return zienkiewicz_zhu(
-      *model.space,
-      {[&](int e, const ElementTable& table) {
-         ElementPoints points;
-         to_physical(table, model.space->control_points(e), points);
-         return MatrixX(strains(points, element_field(*model.space, e, solution.u)));
-       },
-       [&](int e) { return MatrixX(model.C[static_cast<std::size_t>(e)]); }},
-      model.same_material());
+  const EnergyDensity energy{
+      [&](int e, const ElementTable& table) {
+        ElementPoints points;
+        to_physical(table, model.space->control_points(e), points);
+        return MatrixX(strains(points, element_field(*model.space, e, solution.u)));
+      },
+      [&](int e) { return MatrixX(model.C[static_cast<std::size_t>(e)]); }};
+  return estimate_error(model, energy);
 }
 
 }  // namespace limes

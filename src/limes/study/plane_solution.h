@@ -61,7 +61,7 @@ struct PlaneState {
 [[nodiscard]] std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& solution,
                                              int element, const ElementTable& table);
 
-/// Squared errors of the faces, see zienkiewicz_zhu.h. Precondition: the scheme is `linear`, on quads.
+/// Squared errors of the faces, see error_estimate.h. Precondition: the scheme is `linear`, on quads.
 [[nodiscard]] std::vector<double> estimate_error(const PlaneModel& model,
                                                  const PlaneSolution& solution);
 

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/fem/assemble.h"
 #include "limes/solve/linear.h"
 #include "limes/space/constraints.h"
+#include "limes/study/error_estimate.h"
 #include "limes/study/poisson_conditions.h"
 
 namespace limes {
@@ -130,11 +130,10 @@ std::vector<SolutionCheck> check_solution(const PlaneModel& /*model*/,
 }
 
 std::vector<double> estimate_error(const PlaneModel& model, const PoissonSolution& solution) {
-  return zienkiewicz_zhu(
-      *model.space,
-      {[&](int e, const ElementTable& table) { return gradients(model, solution, e, table); },
-       [&](int e) { return MatrixX(model.conductivity(e) * MatrixX::Identity(2, 2)); }},
-      model.same_material());
+  const EnergyDensity energy{
+      [&](int e, const ElementTable& table) { return gradients(model, solution, e, table); },
+      [&](int e) { return MatrixX(model.conductivity(e) * MatrixX::Identity(2, 2)); }};
+  return estimate_error(model, energy);
 }
 
 }  // namespace limes

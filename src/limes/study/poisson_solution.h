@@ -50,7 +50,7 @@ struct PoissonProbe : ProbePlace {
 [[nodiscard]] std::vector<SolutionCheck> check_solution(const PlaneModel& model,
                                                         const PoissonSolution& solution);
 
-/// Squared errors of the faces, see zienkiewicz_zhu.h.
+/// Squared errors of the faces, see error_estimate.h.
 [[nodiscard]] std::vector<double> estimate_error(const PlaneModel& model,
                                                  const PoissonSolution& solution);
 

@@ -348,6 +348,7 @@ void ProblemReader::read_adapt() {
     adapt.line = table.line();
     std::string estimator, mark;
     table.read("estimator", estimator);
+    if (estimator == "residual") adapt.estimator = EstimatorKind::residual;
     table.read("mark", mark);
     adapt.mark = mark == "maximum"    ? MarkingKind::maximum
                  : mark == "fraction" ? MarkingKind::fraction

@@ -124,7 +124,7 @@ struct ProbeSettings {
   int line = 0;
 };
 
-enum class EstimatorKind { zienkiewicz_zhu };
+enum class EstimatorKind { zienkiewicz_zhu, residual };
 
 /// Refinement where the error is.
 struct AdaptSettings {

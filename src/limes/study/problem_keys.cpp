@@ -302,10 +302,11 @@ constexpr std::array keys{
     Key{.table = "adapt",
         .name = "estimator",
         .type = ValueType::name,
-        .choices = "zienkiewicz-zhu",
-        .later_choices = "residual",
+        .choices = "zienkiewicz-zhu residual",
         .initial = "zienkiewicz-zhu",
-        .help = "of the error in the energy norm"},
+        .help =
+            "how the error in the energy norm is estimated: by recovered fluxes or stresses, or by "
+            "what is left unbalanced"},
     Key{.table = "adapt",
         .name = "mark",
         .type = ValueType::name,

@@ -89,8 +89,10 @@ Figure mesh_figure(const Mesh& mesh, const std::string& title) {
   }
   surface.control_mesh = edge_lines(mesh.topology, mesh.points.span());
   surface.control_mesh.width = mesh.topology.num_faces() > 2000 ? 0.4 : 0.8;
-  return surface_figure(
+  Figure figure = surface_figure(
       surface, {.title = title, .size = {420, 360}, .density = 2, .direction = Vec3(-1, -1.5, -1)});
+  figure.legend.clear();  // the lines are the elements
+  return figure;
 }
 
 std::string file_name(std::string name) {

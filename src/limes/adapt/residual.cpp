@@ -1,0 +1,196 @@
+#include "limes/adapt/residual.h"
+
+#include <array>
+#include <cmath>
+
+#include "limes/core/parallel.h"
+#include "limes/fem/element_points.h"
+#include "limes/math/quadrature.h"
+
+namespace limes {
+namespace {
+
+constexpr int side_points = 2;
+
+/// The gradient (strain) of a field that changes along n only is this times the change, (c, d).
+MatrixX gradient_along(const Vec2& n, Eigen::Index c) {
+  if (c == 2) return n;
+  MatrixX out(3, 2);
+  out << n.x(), 0, 0, n.y(), n.y(), n.x();
+  return out;
+}
+
+/// Stiffness against such a change, (d, d).
+MatrixX stiffness_along(const Vec2& n, const MatrixX& D) {
+  const MatrixX B = gradient_along(n, D.rows());
+  return B.transpose() * D * B;
+}
+
+double weighted_square(const VectorX& r, const MatrixX& A) {
+  return r.dot(A.llt().solve(r));
+}
+
+/// Points of a rule on the sides of the parameter square, side by side, along each as its face turns.
+std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
+  constexpr std::array<std::array<double, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  std::vector<Vec2> out;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const double s : rule.point) {
+      const auto &a = corner[k], &b = corner[(k + 1) % 4];
+      out.emplace_back((1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1]);
+    }
+  return out;
+}
+
+/// What a face brings to its sides.
+struct FaceSides {
+  std::array<Vec2, 4> normal;  ///< outward, of length 1
+  std::array<double, 4> length{};
+  std::vector<Vec3> x;        ///< points, side by side
+  std::vector<VectorX> flux;  ///< through the sides, there
+  std::array<MatrixX, 4> A;   ///< stiffness along the normals
+  double h = 0;               ///< square root of the area
+};
+
+class ResidualEstimate {
+ public:
+  ResidualEstimate(const SubdivisionSpace& space, const EnergyDensity& energy,
+                   const LoadDensity& load)
+      : space_(space),
+        energy_(energy),
+        load_(load),
+        rule_(gauss_rule(side_points)),
+        element_of_face_(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1),
+        sides_(space.elements().size()) {
+    for (int s = 0; s < space.num_shapes(); ++s) {
+      on_sides_.push_back(space.sample(s, points_on_sides(rule_)));
+      inside_.push_back(space.sample(
+          s, {Vec2(0.25, 0.25), Vec2(0.75, 0.25), Vec2(0.75, 0.75), Vec2(0.25, 0.75)}));
+    }
+    for (std::size_t e = 0; e < space.elements().size(); ++e)
+      element_of_face_[static_cast<std::size_t>(space.elements()[e].face.value)] =
+          static_cast<int>(e);
+  }
+
+  std::vector<double> squares() {
+    const auto n = static_cast<std::int64_t>(space_.elements().size());
+    for_each_index(n, [&](std::int64_t i) { measure(static_cast<int>(i)); });
+    std::vector<double> out(element_of_face_.size(), 0.0);
+    for_each_index(n, [&](std::int64_t i) {
+      const int e = static_cast<int>(i);
+      double sum = inner_square(e);
+      for (int k = 0; k < 4; ++k)
+        sum += side_square(e, k);
+      out[static_cast<std::size_t>(element(e).face.value)] = sum;
+    });
+    return out;
+  }
+
+ private:
+  [[nodiscard]] const Element& element(int e) const {
+    return space_.elements()[static_cast<std::size_t>(e)];
+  }
+  [[nodiscard]] const FaceSides& sides(int e) const { return sides_[static_cast<std::size_t>(e)]; }
+
+  void measure(int e) {
+    FaceSides& out = sides_[static_cast<std::size_t>(e)];
+    const auto shape = static_cast<std::size_t>(element(e).shape);
+    const auto P = space_.control_points(e);
+    const ElementTable& inside = space_.table(element(e).shape);
+    ElementPoints points;
+    to_physical(inside, P, points);
+    out.h = std::sqrt(points.J.cwiseAbs().dot(inside.weight));
+    const double turn = points.J(0) > 0 ? 1 : -1;
+    const MatrixX D = energy_.stiffness(e);
+    const ElementTable& table = on_sides_[shape];
+    const MatrixX flux = energy_.gradient(e, table) * D;
+    to_physical(table, P, points);
+    const auto corners = space_.mesh().topology.face(element(e).face);
+    for (int k = 0; k < 4; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const Vec2 t =
+          (space_.mesh().points[corners[(at + 1) % 4]] - space_.mesh().points[corners[at]])
+              .head<2>();
+      out.length[at] = t.norm();
+      out.normal[at] = turn / t.norm() * Vec2(t.y(), -t.x());
+      out.A[at] = stiffness_along(out.normal[at], D);
+      const MatrixX B = gradient_along(out.normal[at], D.rows());
+      for (int i = side_points * k; i < side_points * (k + 1); ++i) {
+        out.x.emplace_back(points.x.row(i).transpose());
+        out.flux.emplace_back(B.transpose() * flux.row(i).transpose());
+      }
+    }
+  }
+
+  /// The flux is taken as bilinear in the parameters between four inner points, which is exact in
+  /// parallelograms.
+  [[nodiscard]] double inner_square(int e) const {
+    const ElementTable& table = space_.table(element(e).shape);
+    const auto P = space_.control_points(e);
+    ElementPoints points;
+    to_physical(table, P, points);
+    const Eigen::Matrix<double, Eigen::Dynamic, 2> xu = table.Gu * P.leftCols<2>(),
+                                                   xv = table.Gv * P.leftCols<2>();
+    const MatrixX D = energy_.stiffness(e);
+    const MatrixX q = energy_.gradient(e, inside_[static_cast<std::size_t>(element(e).shape)]) * D;
+    const MatrixX Bx = gradient_along(Vec2::UnitX(), D.rows()),
+                  By = gradient_along(Vec2::UnitY(), D.rows());
+    const MatrixX A = 0.5 * (stiffness_along(Vec2::UnitX(), D) + stiffness_along(Vec2::UnitY(), D));
+    double sum = 0;
+    for (Eigen::Index i = 0; i < points.J.size(); ++i) {
+      const double s = 2 * table.uv(i, 0) - 0.5, t = 2 * table.uv(i, 1) - 0.5;
+      const VectorX qu = 2 * ((1 - t) * (q.row(1) - q.row(0)) + t * (q.row(2) - q.row(3)));
+      const VectorX qv = 2 * ((1 - s) * (q.row(3) - q.row(0)) + s * (q.row(2) - q.row(1)));
+      const VectorX qx = (xv(i, 1) * qu - xu(i, 1) * qv) / points.J(i);
+      const VectorX qy = (xu(i, 0) * qv - xv(i, 0) * qu) / points.J(i);
+      const VectorX r = load_.on_element(e, points.x.row(i).transpose()) + Bx.transpose() * qx +
+                        By.transpose() * qy;
+      sum += std::abs(points.J(i)) * table.weight(i) * weighted_square(r, A);
+    }
+    return sides(e).h * sides(e).h / 24 * sum;
+  }
+
+  [[nodiscard]] double side_square(int e, int k) const {
+    const FaceSides& own = sides(e);
+    const Adjacency& adjacency = space_.geometry().adjacency();
+    const HalfedgeId h = space_.mesh().topology.halfedge(element(e).face, k);
+    const HalfedgeId twin = adjacency.twin(h);
+    const int other =
+        twin.valid() ? element_of_face_[static_cast<std::size_t>(adjacency.face(twin).value)] : -1;
+    const int l = other < 0 ? 0 : adjacency.corner_index(twin);
+    MatrixX A = own.A[static_cast<std::size_t>(k)];
+    if (other >= 0) A = 0.5 * (A + sides(other).A[static_cast<std::size_t>(l)]);
+    double sum = 0;
+    for (int i = 0; i < side_points; ++i) {
+      const auto at = static_cast<std::size_t>(side_points * k + i);
+      VectorX j;
+      if (other >= 0) {
+        const auto opposite = static_cast<std::size_t>(side_points * (l + 1) - 1 - i);
+        j = 0.5 * (own.flux[at] + sides(other).flux[opposite]);
+      } else {
+        j = load_.on_side(h, own.x[at], own.normal[static_cast<std::size_t>(k)]) - own.flux[at];
+        for (int c = 0; c < static_cast<int>(j.size()); ++c)
+          if (load_.held(h, c)) j(c) = 0;
+      }
+      sum += rule_.weight[static_cast<std::size_t>(i)] * weighted_square(j, A);
+    }
+    return own.h / 6 * own.length[static_cast<std::size_t>(k)] * sum;
+  }
+
+  const SubdivisionSpace& space_;
+  const EnergyDensity& energy_;
+  const LoadDensity& load_;
+  QuadratureRule rule_;
+  std::vector<ElementTable> on_sides_, inside_;  // by shape
+  std::vector<int> element_of_face_;
+  std::vector<FaceSides> sides_;  // by element
+};
+
+}  // namespace
+
+std::vector<double> residual_estimate(const SubdivisionSpace& space, const EnergyDensity& energy,
+                                      const LoadDensity& load) {
+  return ResidualEstimate(space, energy, load).squares();
+}
+
+}  // namespace limes

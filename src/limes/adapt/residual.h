@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+
+#include "limes/adapt/zienkiewicz_zhu.h"
+
+namespace limes {
+
+/// What a solution should balance, with d components: 1 of a scalar, 2 of displacements. Loads at
+/// points are no part of it.
+struct LoadDensity {
+  /// Per area of an element, (d).
+  std::function<VectorX(int element, const Vec3& x)> on_element;
+  /// Per length of a side of the domain with its outward normal, (d).
+  std::function<VectorX(HalfedgeId side, const Vec3& x, const Vec2& normal)> on_side;
+  /// Whether the solution's component is given along a side of the domain.
+  std::function<bool(HalfedgeId side, int component)> held;
+};
+
+/// Squared error of every face in the energy norm, estimated by what the solution leaves unbalanced
+/// [babuska_1987, kelly_1983]: with h the square root of a face's area,
+///   h^2 / 24 integral of r . A^-1 r + h / 6 sum over sides of the integral of j . A^-1 j,
+/// r = f + div q in the face; on an inner side j is half of the jump of the flux q . n, on the border
+/// g - q . n where the solution is not given. A(n) is the stiffness against a gradient along n, on a
+/// side the mean of both faces', inside that of x and y. Without r the sum is exact for functions of second
+/// order on squares, for which r adds to it.
+/// Precondition: as zienkiewicz_zhu().
+/// @return  by face; 0 for holes
+[[nodiscard]] std::vector<double> residual_estimate(const SubdivisionSpace& space,
+                                                    const EnergyDensity& energy,
+                                                    const LoadDensity& load);
+
+}  // namespace limes
