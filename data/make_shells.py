@@ -3,6 +3,7 @@
 
 hole_5.obj, hole_2_5.obj: a quarter of the Scordelis-Lo roof (radius 25, length 50, 40 degrees) with a hole
 that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the hole outwards, 8 around.
+hole_5_2x4.obj: the first with 2 and 4.
 
 cylinder_plate_3.obj, cylinder_plate_6.obj: a cylinder of radius 3 or 6 that leaves a square plate of width
 15 or 30 at 45 degrees, two parts with vertices of their own on the ellipse that they share. The plate has its
@@ -29,22 +30,23 @@ def write(name, title, parts):
     (HERE / name).write_text("\n".join(lines) + "\n")
 
 
-def hole(a):
+def hole(a, rows=4, around=8):
     R, S, H = 25.0, 25.0 * math.radians(40), 25.0
     points, faces = [], []
-    for j in range(5):
-        for i in range(9):
-            u, v = i / 8, j / 4
+    for j in range(rows + 1):
+        for i in range(around + 1):
+            u, v = i / around, j / rows
             h = (a * math.cos(u * math.pi / 2), a * math.sin(u * math.pi / 2))
             o = (S, 2 * u * H) if u <= 0.5 else (2 * (1 - u) * S, H)
             s, y = ((1 - v) * h[k] + v * o[k] for k in range(2))
-            s = 0.0 if i == 8 else s
+            s = 0.0 if i == around else s
             y = 0.0 if i == 0 else y
             points.append((R * math.sin(s / R), y, R * math.cos(s / R)))
-    for j in range(4):
-        for i in range(8):
-            k = 9 * j + i
-            faces.append((k, k + 1, k + 10, k + 9)[::-1])
+    n = around + 1
+    for j in range(rows):
+        for i in range(around):
+            k = n * j + i
+            faces.append((k, k + 1, k + n + 1, k + n)[::-1])
     return points, faces
 
 
@@ -97,6 +99,7 @@ def twisted_beam(zigzag, length=12.0, width=1.1, along=12, across=2):
 
 for a, name in ((5.0, "hole_5.obj"), (2.5, "hole_2_5.obj")):
     write(name, f"A quarter of a roof with a hole of radius {a}", [(None, *hole(a))])
+write("hole_5_2x4.obj", "A quarter of a roof with a hole of radius 5.0", [(None, *hole(5.0, 2, 4))])
 for r, w in ((3.0, 15.0), (6.0, 30.0)):
     write(f"cylinder_plate_{r:.0f}.obj", f"A cylinder of radius {r} on a plate of width {w}",
           cylinder_plate(r, w))

@@ -40,10 +40,18 @@ TEST(ExactSmoothing, RoofKeepsItsBorders) {
     const Vec3 &a = plain.mesh->points[VertexId(v)], &b = smooth.mesh->points[VertexId(v)];
     moved += (a - b).norm() > 0.1;
     EXPECT_NEAR(std::hypot(b.x(), b.z()), 25, 1e-12);
-    if (std::abs(on_rim(a)) < 1e-9) EXPECT_NEAR(on_rim(b), 0, 1e-10) << v;
-    if (std::abs(a.x()) < 1e-9) EXPECT_NEAR(b.x(), 0, 1e-10) << v;
-    if (std::abs(a.y()) < 1e-9) EXPECT_NEAR(b.y(), 0, 1e-10) << v;
-    if (std::abs(a.y() - 25) < 1e-9) EXPECT_NEAR(b.y(), 25, 1e-10) << v;
+    if (std::abs(on_rim(a)) < 1e-9) {
+      EXPECT_NEAR(on_rim(b), 0, 1e-10) << v;
+    }
+    if (std::abs(a.x()) < 1e-9) {
+      EXPECT_NEAR(b.x(), 0, 1e-10) << v;
+    }
+    if (std::abs(a.y()) < 1e-9) {
+      EXPECT_NEAR(b.y(), 0, 1e-10) << v;
+    }
+    if (std::abs(a.y() - 25) < 1e-9) {
+      EXPECT_NEAR(b.y(), 25, 1e-10) << v;
+    }
   }
   EXPECT_GT(moved, 300);
 }
@@ -60,7 +68,7 @@ TEST(ExactSmoothing, SeamStaysTied) {
   }
   EXPECT_EQ(tied, 32);
   EXPECT_GT(worst_distortion(*model_of("cylinder_plate_b.toml", {"mesh.levels=2"}).mesh),
-            1.5 * worst_distortion(*model.mesh));
+            1.25 * worst_distortion(*model.mesh));
 }
 
 // Control vertices stay, the others stay on the surface that the scheme makes of them.
@@ -71,19 +79,26 @@ TEST(SchemeSmoothing, SlidesOnTheSurfaceOfKobbelt) {
   int moved = 0;
   for (int v = 0; v < plain.mesh->points.size(); ++v) {
     const Vec3 &a = plain.mesh->points[VertexId(v)], &b = smooth.mesh->points[VertexId(v)];
-    if (v < plain.control.topology.num_vertices()) EXPECT_EQ(a, b) << v;
+    if (v < plain.control.topology.num_vertices()) {
+      EXPECT_EQ(a, b) << v;
+    }
     moved += (a - b).norm() > 0.05;
   }
   EXPECT_GT(moved, 100);
-  // within the sag of the finer mesh's faces, far below that of the mesh's own
+  // Off the tangent planes of the finer mesh by the sag of its faces, a hundredth of that of the mesh's own.
   double worst = 0;
   for (const Vec3& x : smooth.mesh->points) {
-    double nearest = 1e300;
-    for (const Vec3& y : fine.mesh->points)
-      nearest = std::min(nearest, (x - y).norm());
-    worst = std::max(worst, nearest);
+    VertexId nearest(0);
+    for (int w = 0; w < fine.mesh->points.size(); ++w)
+      if ((x - fine.mesh->points[VertexId(w)]).norm() < (x - fine.mesh->points[nearest]).norm())
+        nearest = VertexId(w);
+    const HalfedgeId h = fine.adjacency->ring_start(nearest);
+    const Vec3 y = fine.mesh->points[nearest];
+    const Vec3 a = fine.mesh->points[fine.adjacency->to(h)] - y;
+    const Vec3 b = fine.mesh->points[fine.adjacency->from(fine.adjacency->prev(h))] - y;
+    worst = std::max(worst, std::abs((x - y).dot(a.cross(b).normalized())));
   }
-  EXPECT_LT(worst, 0.2);  // half the diagonal of a face of `fine`
+  EXPECT_LT(worst, 1e-3);
 }
 
 double energy_error(const RefinementPoint& p) {
