@@ -350,6 +350,9 @@ void ProblemReader::read_adapt() {
       table.read("reference_energy", adapt.reference_energy.emplace());
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
+    if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
+      fail(table.place("estimator"),
+           "there is no residual estimator for shells; right is \"zienkiewicz-zhu\"");
     if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&
         problem_.mesh.scheme != "kobbelt")
       fail(table.place(),
