@@ -11,6 +11,7 @@
 #include "limes/report/pictures.h"
 #include "limes/report/plot.h"
 #include "limes/report/ticks.h"
+#include "limes/study/adapt_state.h"
 #include "limes/study/control_mesh.h"
 #include "limes/subdiv/schemes.h"
 
@@ -55,13 +56,14 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
           t.face_size(FaceId(f)));
   Forest forest(start, scheme, {.levels = 0}, SplitUnit::families,
                 scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
+  AdaptTargets targets = targets_of(*problem.adapt, dofs_per_vertex);
+  keep_state(problem, forest, targets);
   AdaptiveRun run;
-  run.history = solve_adaptively(forest, targets_of(*problem.adapt, dofs_per_vertex),
-                                 [&](const ForestMesh& mesh) {
-                                   StepSolution step = solve(mesh.mesh);
-                                   run.squares = step.squares;
-                                   return step;
-                                 });
+  run.history = solve_adaptively(forest, targets, [&](const ForestMesh& mesh) {
+    StepSolution step = solve(mesh.mesh);
+    run.squares = step.squares;
+    return step;
+  });
   run.start = std::move(start);
   return run;
 }

@@ -348,6 +348,10 @@ void ProblemReader::read_adapt() {
     if (table.has("max_seconds")) table.read("max_seconds", adapt.max_seconds.emplace());
     if (table.has("reference_energy"))
       table.read("reference_energy", adapt.reference_energy.emplace());
+    if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
+      fail(table.place("estimator"),
+           "residuals are known of plane models and Poisson's equation only; right is "
+           "\"zienkiewicz-zhu\"");
     if (problem_.model.kind == ModelKind::mitc4)
       fail(table.place(), "shells cannot be refined adaptively yet; remove [adapt]");
     if (problem_.periodic)
@@ -436,7 +440,9 @@ Problem parse_problem(std::string_view text, const fs::path& file,
                       std::span<const std::string> overrides) {
   toml::table document = parse_toml(text, file);
   apply_overrides(document, overrides);
-  return ProblemReader(document, file).read();
+  Problem problem = ProblemReader(document, file).read();
+  problem.values = listed_values(document);
+  return problem;
 }
 
 Problem read_problem(const fs::path& file, std::span<const std::string> overrides) {
