@@ -442,7 +442,9 @@ Problem parse_problem(std::string_view text, const fs::path& file,
                       std::span<const std::string> overrides) {
   toml::table document = parse_toml(text, file);
   apply_overrides(document, overrides);
-  return ProblemReader(document, file).read();
+  Problem problem = ProblemReader(document, file).read();
+  problem.values = listed_values(document);
+  return problem;
 }
 
 Problem read_problem(const fs::path& file, std::span<const std::string> overrides) {
