@@ -22,6 +22,7 @@ struct SolveCommand {
   std::vector<std::string> overrides;
   RunOptions run;
   bool repair = false;
+  bool resume = false;
 
   void operator()() const;
   [[nodiscard]] std::string repeated() const;
@@ -160,8 +161,16 @@ void SolveCommand::hand_over(Result result, const Run& current) const {
 
 void SolveCommand::operator()() const {
   const Run current(run);
+  if (resume && output.empty())
+    throw UsageError("--resume: name the folder of the run that was interrupted, -o DIR");
   check_output_folder(output);
-  const Problem settings = read_problem(problem, overrides);
+  Problem settings = read_problem(problem, overrides);
+  if (resume && !settings.adapt)
+    throw UsageError("--resume: {} has no [adapt], whose steps could be resumed", problem.string());
+  if (settings.adapt && !output.empty()) {
+    settings.adapt->state = output / "adapt-state.json";
+    settings.adapt->resume = resume;
+  }
   std::optional<Progress> progress;
   const auto on_phase = [&](std::string_view phase) {
     progress.reset();
@@ -196,6 +205,9 @@ void add_solve(CLI::App& program) {
   app.add_option("--set", command->overrides,
                  "Change a value of the file: mesh.levels=3, load.0.force_per_area=[0,-1]")
       ->option_text("KEY=VALUE ...")
+      ->group(work_group);
+  app.add_flag("--resume", command->resume,
+               "Go on with the adaptive run that was interrupted in DIR")
       ->group(work_group);
   app.add_flag("--repair", command->repair, "Mend the mesh where that is possible, and say how")
       ->group(files_group);

@@ -121,6 +121,70 @@ TEST_F(Solve, AdaptsToTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+// A run that ends early leaves the state of its last mesh, like one that is interrupted there.
+TEST_F(Solve, ResumesToTheSameBytes) {
+  for (const char* name : {"l_shape.toml", "cook.toml"}) {
+    const std::string whole = folder / "whole", parts = folder / "parts";
+    const auto run = [&](const std::string& out, const char* dofs,
+                         const std::vector<std::string>& more = {}) {
+      std::vector<std::string> arguments{
+          "solve", data_file(name), "-o", out, "--set", std::string("adapt.max_dofs=") + dofs};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return run_limes(arguments);
+    };
+    ASSERT_EQ(run(whole, "1000").exit_code, 0);
+    ASSERT_EQ(run(parts, "200").exit_code, 0);
+    const Result resumed = run(parts, "1000", {"--resume"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    for (const char* file :
+         {"/result.vtu", "/adapted-mesh.png", "/report.html", "/adapt-state.json"})
+      EXPECT_EQ(read_file(whole + file), read_file(parts + file)) << name << file;
+    ASSERT_EQ(run(parts, "1000", {"--resume"}).exit_code, 0);  // nothing is left to do
+    EXPECT_EQ(read_file(whole + "/report.html"), read_file(parts + "/report.html"));
+  }
+}
+
+TEST_F(Solve, ResumesAfterAnInterrupt) {
+  const std::string whole = folder / "whole", parts = folder / "parts";
+  const std::string file = data_file("l_shape.toml");
+  ASSERT_EQ(run_limes({"solve", file, "-o", whole}).exit_code, 0);
+  const Result broken = run_limes({"solve", file, "-o", parts}, std::chrono::milliseconds(200));
+  if (broken.exit_code == 130) {
+    EXPECT_EQ(read_file(parts + "/report.html"), "");
+  }
+  if (!std::filesystem::exists(parts + "/adapt-state.json")) GTEST_SKIP() << "interrupted too soon";
+  ASSERT_EQ(run_limes({"solve", file, "-o", parts, "--resume"}).exit_code, 0);
+  EXPECT_EQ(read_file(whole + "/result.vtu"), read_file(parts + "/result.vtu"));
+  EXPECT_EQ(read_file(whole + "/report.html"), read_file(parts + "/report.html"));
+}
+
+TEST_F(Solve, ResumesOnlyWhatFits) {
+  const std::string out = folder / "out", file = data_file("cook.toml");
+  const auto resume = [&](const std::vector<std::string>& changes) {
+    std::vector<std::string> arguments{"solve", file, "-o", out, "--resume"};
+    for (const std::string& change : changes) {
+      arguments.emplace_back("--set");
+      arguments.push_back(change);
+    }
+    return run_limes(arguments);
+  };
+  expect_failure(resume({}), 3, "adapt-state.json: there is no run to resume");
+  ASSERT_EQ(run_limes({"solve", file, "-o", out, "--set", "adapt.max_dofs=500"}).exit_code, 0);
+  expect_failure(resume({"material.young=2"}), 3,
+                 "is of another problem, it has 'material.young = 1' where");
+  expect_failure(resume({"adapt.max_dofs=100"}), 3, "has gone beyond max_dofs");
+  expect_failure(resume({"adapt.max_steps=2"}), 3, "has gone beyond step 1, the last of max_steps");
+  expect_failure(resume({"adapt.target_error=0.4"}), 3, "at which target_error is reached");
+  std::string state = read_file(out + "/adapt-state.json");
+  (void)folder.file("out/adapt-state.json", state.substr(0, state.size() / 2));
+  expect_failure(resume({}), 3, "adapt-state.json: is damaged; run without --resume");
+  state.replace(state.find("\"mesh\":\"") + 8, 4, "0123");
+  (void)folder.file("out/adapt-state.json", state);
+  expect_failure(resume({}), 3, "was started on another mesh than");
+  expect_failure(run_limes({"solve", file, "--resume"}), 2, "--resume: name the folder");
+  expect_failure(run_limes({"solve", problem, "-o", out, "--resume"}), 2, "has no [adapt]");
+}
+
 TEST_F(Solve, HomogenisesAPeriodicCell) {
   // Without holes and grains of another stiffness the cell is homogeneous: plane stress, E = 1,
   // nu = 0.3, so C1111 = 1 / 0.91, C1122 = 0.3 / 0.91, C1212 = 1 / 2.6.

@@ -52,7 +52,15 @@ SolvedPoisson solve_scalar(const std::string& text, Mesh mesh) {
   return s;
 }
 
-TEST(ErrorEstimate, VanishesForALinearSolution) {
+const char* const by_residual = "[adapt]\nestimator = \"residual\"\n";
+
+class EveryEstimate : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Estimators, EveryEstimate, ::testing::Values("", by_residual),
+                         [](const auto& param) {
+                           return std::string(param.index == 0 ? "recovery" : "residual");
+                         });
+
+TEST_P(EveryEstimate, VanishesForALinearSolution) {
   const SolvedPoisson s = solve_scalar(R"(scheme = "linear"
 [model]
 kind = "poisson"
@@ -61,7 +69,7 @@ conductivity = 3
 [[support]]
 where = "boundary"
 value = "2 + 3 * x - y"
-)",
+)" + GetParam(),
                                        two_halves(4));
   EXPECT_NEAR(s.solution.strain_energy, 0.5 * 3 * 10 * 2, 1e-12);
   EXPECT_LT(total(estimate_error(s.model, s.solution)), 1e-12);
@@ -81,13 +89,78 @@ fix = ["uy"]
 [[load]]
 where = "x == 2"
 force_per_length = [1, 0]
-)",
+)" + GetParam(),
                              two_halves(4));
   EXPECT_LT(total(estimate_error(plane.model, plane.solution)), 1e-12);
 }
 
 // u = y + x where k = 1 and y + 1 + (x - 1) / 4 where k = 4: the flux along x is 1 on both sides,
 // along y it jumps from 1 to 4. Recovery across the line would see an error.
+// Fluxes, sources, pressure and forces per length and volume that a linear solution, or one whose
+// error is not seen, balances: each one left out would be an error.
+TEST(ErrorEstimate, ResidualsKnowEveryLoad) {
+  const SolvedPoisson flux = solve_scalar(R"(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+conductivity = 3
+[[support]]
+where = "x == 0"
+value = "5"
+[[load]]
+where = "x == 2"
+flux = 6
+)" + std::string(by_residual),
+                                          two_halves(4));
+  EXPECT_LT(total(estimate_error(flux.model, flux.solution)), 1e-12);
+
+  const Solved pressed = solve(R"(scheme = "linear"
+[material]
+young = 10
+poisson = 0.25
+thickness = 0.5
+[model]
+kind = "plane-stress"
+[[support]]
+where = "x == 0"
+fix = ["ux"]
+[[support]]
+where = "x == 0 and y == 0"
+fix = ["uy"]
+[[load]]
+where = "x == 2"
+pressure = 3
+)" + std::string(by_residual),
+                               two_halves(4));
+  EXPECT_LT(total(estimate_error(pressed.model, pressed.solution)), 1e-12);
+}
+
+// u = x (2 - x) / 2 with the source 1 on a row of n squares of side h: the solution is exact at the
+// nodes, its slope jumps by h there. The source counts h^2 / 24 per area, each of a square's two sides
+// between squares h / 6 (h / 2)^2 per length, and the held ends nothing.
+TEST(ErrorEstimate, ResidualsOfAParabolaAreKnown) {
+  constexpr int n = 8;
+  constexpr double h = 2.0 / n;
+  const SolvedPoisson s = solve_scalar(
+      R"(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "x == 0 or x == 2"
+value = 0
+[[load]]
+where = "all"
+source = 1
+)" + std::string(by_residual),
+      testing::grid(n, 1, [](const Vec2& p) { return Vec2(2 * p.x(), p.y() * 2.0 / n); }));
+  EXPECT_NEAR(s.solution.strain_energy, h * (1.0 / 3 - h * h / 12), 1e-12);
+  const double per_area = h * h / 24;
+  const double sides = h / 6 * (h / 2) * (h / 2) * h * 2 * (n - 1);
+  const double square = std::pow(total(estimate_error(s.model, s.solution)), 2);
+  EXPECT_NEAR(square, per_area * 2 * h + sides, 1e-12);
+}
+
 TEST(ErrorEstimate, DoesNotSmearAcrossMaterials) {
   const SolvedPoisson s =
       solve_scalar(poisson_of_two + "\"y + (x < 1 ? x : 1 + (x - 1) / 4)\"\n", two_halves(4));
@@ -184,6 +257,22 @@ double dofs_for(double relative, const std::vector<AdaptStep>& steps) {
       return steps[i].dofs *
              std::pow(relative * norm / *steps[i].true_error, 1 / rate(steps[i - 1], steps[i]));
   return 1e300;
+}
+
+TEST(AdaptiveRun, ResidualsDriveTheLoopAsWell) {
+  const std::vector<AdaptStep> steps = l_shape({"adapt.estimator=residual", "adapt.max_dofs=8000"});
+  EXPECT_NEAR(rate(steps[steps.size() - 4], steps.back()), -0.5, 0.06);
+  for (const AdaptStep& s : steps) {
+    EXPECT_GT(*s.effectivity, 0.7) << s.dofs;
+    EXPECT_LT(*s.effectivity, 1.5) << s.dofs;
+  }
+  const PlaneResult cook = run_problem(read_problem(
+      LIMES_DATA_DIR "/cook.toml", std::vector<std::string>{"adapt.estimator=residual"}));
+  for (const AdaptStep& s : cook.adaptive->history.steps) {
+    EXPECT_GT(*s.effectivity, 0.7) << s.dofs;
+    EXPECT_LT(*s.effectivity, 1.5) << s.dofs;
+  }
+  EXPECT_NEAR(cook.solution.strain_energy, 12.02080, 0.002 * 12.02080);
 }
 
 // u = r^(2/3) sin(2/3 t) is in H^(5/3): uniform refinement loses half of the order.

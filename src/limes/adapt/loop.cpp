@@ -48,7 +48,7 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
                               const std::function<StepSolution(const ForestMesh& mesh)>& solve,
                               std::span<const TiedEdge> seams) {
   const auto start = std::chrono::steady_clock::now();
-  AdaptHistory history;
+  AdaptHistory history{targets.before, {}};
   for (ForestMesh mesh = forest_mesh(forest, Closure::conforming);;) {
     check_interrupt();
     const StepSolution solution = solve(mesh);
@@ -70,6 +70,7 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
     if (static_cast<std::int64_t>(mesh.mesh.points.size()) * targets.dofs_per_vertex >
         targets.max_dofs)
       return ends("max_dofs");
+    if (targets.on_refined) targets.on_refined(history.steps, forest);
   }
 }
 

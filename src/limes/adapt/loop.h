@@ -11,6 +11,15 @@
 
 namespace limes {
 
+struct AdaptStep {
+  int dofs = 0, elements = 0;
+  double strain_energy = 0;
+  double error_estimate = 0;  ///< in the energy norm, whose square is twice the energy
+  double relative_error = 0;  ///< estimate / energy norm of the exact solution, also estimated
+  /// With a reference energy: sqrt(2 |E - E_h|), and estimate / error.
+  std::optional<double> true_error, effectivity;
+};
+
 /// When the loop ends, and what it refines.
 struct AdaptTargets {
   MarkingKind mark = MarkingKind::doerfler;
@@ -21,6 +30,11 @@ struct AdaptTargets {
   int max_steps = 30;
   std::optional<double> max_seconds = {};       ///< no step begins later
   std::optional<double> reference_energy = {};  ///< of the exact solution, for true errors
+  /// Finished steps of a run that is resumed, with a forest refined after the last of them.
+  std::vector<AdaptStep> before = {};
+  /// Called when the next mesh is going to be solved on.
+  std::function<void(const std::vector<AdaptStep>& finished, const Forest& refined)> on_refined =
+      {};
 };
 
 /// A solution on one mesh, and the squared error of each of its faces.
@@ -28,15 +42,6 @@ struct StepSolution {
   int dofs = 0;
   double strain_energy = 0;
   std::vector<double> squares;
-};
-
-struct AdaptStep {
-  int dofs = 0, elements = 0;
-  double strain_energy = 0;
-  double error_estimate = 0;  ///< in the energy norm, whose square is twice the energy
-  double relative_error = 0;  ///< estimate / energy norm of the exact solution, also estimated
-  /// With a reference energy: sqrt(2 |E - E_h|), and estimate / error.
-  std::optional<double> true_error, effectivity;
 };
 
 struct AdaptHistory {

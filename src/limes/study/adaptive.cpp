@@ -11,6 +11,7 @@
 #include "limes/report/pictures.h"
 #include "limes/report/plot.h"
 #include "limes/report/ticks.h"
+#include "limes/study/adapt_state.h"
 #include "limes/study/control_mesh.h"
 #include "limes/subdiv/schemes.h"
 
@@ -62,14 +63,15 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
 AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,
                            int dofs_per_vertex,
                            const std::function<StepSolution(const ForestMesh&)>& solve) {
+  AdaptTargets targets = targets_of(*problem.adapt, dofs_per_vertex);
+  keep_state(problem, forest, targets);
   AdaptiveRun run;
   const auto solve_step = [&](const ForestMesh& mesh) {
     StepSolution step = solve(mesh);
     run.squares = step.squares;
     return step;
   };
-  run.history =
-      solve_adaptively(forest, targets_of(*problem.adapt, dofs_per_vertex), solve_step, seams);
+  run.history = solve_adaptively(forest, targets, solve_step, seams);
   run.start = forest.control();
   return run;
 }

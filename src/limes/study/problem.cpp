@@ -362,6 +362,9 @@ void ProblemReader::read_adapt() {
       table.read("reference_energy", adapt.reference_energy.emplace());
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
+    if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
+      fail(table.place("estimator"),
+           "there is no residual estimator for shells; right is \"zienkiewicz-zhu\"");
     if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&
         problem_.mesh.scheme != "kobbelt")
       fail(table.place(),
@@ -451,7 +454,9 @@ Problem parse_problem(std::string_view text, const fs::path& file,
                       std::span<const std::string> overrides) {
   toml::table document = parse_toml(text, file);
   apply_overrides(document, overrides);
-  return ProblemReader(document, file).read();
+  Problem problem = ProblemReader(document, file).read();
+  problem.values = listed_values(document);
+  return problem;
 }
 
 Problem read_problem(const fs::path& file, std::span<const std::string> overrides) {

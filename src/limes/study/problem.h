@@ -137,6 +137,9 @@ struct AdaptSettings {
   std::optional<double> max_seconds;       ///< > 0
   std::optional<double> reference_energy;  ///< of the exact solution, > 0
   int line = 0;
+  // Not of the problem file, see adapt_state.h.
+  std::filesystem::path state;  ///< file; empty: none
+  bool resume = false;          ///< go on from there
 };
 
 /// Names of the user's units, for reports only.
@@ -160,6 +163,8 @@ struct Problem {
   std::vector<LoadSettings> loads;
   std::vector<ProbeSettings> probes;
   std::optional<AdaptSettings> adapt;
+  /// All that the file and overrides say, one by one: "load.0.flux = 3".
+  std::vector<std::string> values;
 };
 
 /// Reads a problem file; `overrides` are "dotted.path=value" with array entries by index, the value

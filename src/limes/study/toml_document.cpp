@@ -1,5 +1,7 @@
 #include "limes/study/toml_document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -49,6 +51,38 @@ std::size_t asserting_line(std::string_view text) {
   return static_cast<std::size_t>(first - ends.begin()) + 1;
 }
 
+/// In one line, different for different texts.
+std::string in_quotes(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) < 32 || c == '\\' || c == '"' || c == 127)
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  return out + "\"";
+}
+
+std::string shown_value(const toml::node& node) {
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  return "a date";  // no key has one
+}
+
+void list_values(const toml::node& node, const std::string& path, std::vector<std::string>& out) {
+  const std::string before = path.empty() ? path : path + ".";
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      list_values(value, before + std::string(key.str()), out);
+  } else if (const auto* array = node.as_array()) {
+    for (std::size_t i = 0; i < array->size(); ++i)
+      list_values((*array)[i], before + std::to_string(i), out);
+  } else {
+    out.push_back(path + " = " + shown_value(node));
+  }
+}
+
 }  // namespace
 
 std::string read_toml_text(const std::filesystem::path& path) {
@@ -83,6 +117,12 @@ toml::table parse_toml(std::string_view text, const std::filesystem::path& file)
     throw InputError("{}:{}: no TOML: names consist of A-Z a-z 0-9 _ -, or stand in quotes",
                      file.string(), asserting_line(text));
   }
+}
+
+std::vector<std::string> listed_values(const toml::table& table) {
+  std::vector<std::string> out;
+  list_values(table, "", out);
+  return out;
 }
 
 }  // namespace limes

@@ -1,0 +1,190 @@
+#include "limes/study/adapt_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "limes/core/atomic_file.h"
+#include "limes/core/error.h"
+#include "limes/study/control_mesh.h"
+
+namespace limes {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Leaf = std::array<std::int64_t, 3>;  // root, level, path
+
+constexpr const char* kind = "limes adaptive run 1";
+
+/// 64-bit FNV-1a of corners and points.
+std::string digest(const Mesh& mesh) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&](const void* bytes, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i)
+      hash = (hash ^ static_cast<const unsigned char*>(bytes)[i]) * 1099511628211ULL;
+  };
+  for (const VertexId v : mesh.topology.corners())
+    add(&v.value, sizeof v.value);
+  for (const Vec3& x : mesh.points)
+    add(x.data(), 3 * sizeof(double));
+  return fmt::format("{:016x}", hash);
+}
+
+/// What must be the same: all but the title and when the loop ends.
+std::vector<std::string> settings(const Problem& problem) {
+  std::vector<std::string> out;
+  for (const std::string& value : problem.values) {
+    const std::string key = value.substr(0, value.find(' '));
+    if (key != "title" && key != "adapt.target_error" && key != "adapt.max_dofs" &&
+        key != "adapt.max_steps" && key != "adapt.max_seconds")
+      out.push_back(value);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<Leaf> leaves_of(const Forest& forest) {
+  std::vector<Leaf> out;
+  for (const FaceId leaf : forest.leaves()) {
+    const FaceAncestry a = forest.ancestry(leaf);
+    out.push_back({a.root.value, a.level, a.path});
+  }
+  return out;
+}
+
+Json step_json(const AdaptStep& s) {
+  Json out{{"dofs", s.dofs},
+           {"elements", s.elements},
+           {"strain_energy", s.strain_energy},
+           {"error_estimate", s.error_estimate},
+           {"relative_error", s.relative_error}};
+  if (s.true_error) out["true_error"] = *s.true_error;
+  if (s.effectivity) out["effectivity"] = *s.effectivity;
+  return out;
+}
+
+AdaptStep step_of(const Json& json) {
+  AdaptStep s;
+  s.dofs = json.at("dofs").get<int>();
+  s.elements = json.at("elements").get<int>();
+  s.strain_energy = json.at("strain_energy").get<double>();
+  s.error_estimate = json.at("error_estimate").get<double>();
+  s.relative_error = json.at("relative_error").get<double>();
+  if (json.contains("true_error")) s.true_error = json["true_error"].get<double>();
+  if (json.contains("effectivity")) s.effectivity = json["effectivity"].get<double>();
+  return s;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw InputError("{}: {}; run without --resume", file.string(), why);
+}
+
+Json read_state(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) refuse(file, "there is no run to resume, the file cannot be read");
+  try {
+    Json state = Json::parse(in);
+    if (state.at("kind") != kind) refuse(file, "is of another kind or version");
+    return state;
+  } catch (const Json::exception&) {
+    refuse(file, "is damaged");
+  }
+}
+
+void require_same_problem(const Problem& problem, const std::vector<std::string>& there) {
+  const std::vector<std::string> here = settings(problem);
+  const auto first_only_in = [](const auto& a, const auto& b) {
+    std::vector<std::string> only;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(only));
+    return only.empty() ? std::string("nothing") : "'" + only.front() + "'";
+  };
+  if (there == here) return;
+  refuse(problem.adapt->state,
+         fmt::format("is of another problem, it has {} where {} has {}", first_only_in(there, here),
+                     problem.file.string(), first_only_in(here, there)));
+}
+
+void require_not_ended(const fs::path& file, const AdaptTargets& targets) {
+  for (std::size_t i = 0; i < targets.before.size(); ++i) {
+    if (targets.error && targets.before[i].relative_error <= *targets.error)
+      refuse(file, fmt::format("has gone beyond step {}, at which target_error is reached", i));
+    if (static_cast<int>(i) + 1 >= targets.max_steps)
+      refuse(file, fmt::format("has gone beyond step {}, the last of max_steps", i));
+  }
+}
+
+/// Splits what was split; balance asks for nothing else, because the leaves were balanced.
+void restore(Forest& forest, const std::vector<Leaf>& leaves, const fs::path& file) {
+  std::set<Leaf> split;
+  for (const Leaf& leaf : leaves) {
+    if (leaf[1] > Forest::max_level) refuse(file, "is damaged");
+    for (Leaf above = leaf; above[1] > 0;) {
+      above = {above[0], above[1] - 1, above[2] >> 2};
+      if (!split.insert(above).second) break;
+    }
+  }
+  for (std::vector<FaceId> wanted;; wanted.clear()) {
+    for (const FaceId leaf : forest.leaves()) {
+      const FaceAncestry a = forest.ancestry(leaf);
+      if (split.count({a.root.value, a.level, a.path}) != 0) wanted.push_back(leaf);
+    }
+    if (wanted.empty()) break;
+    forest.refine(wanted);
+  }
+  if (leaves_of(forest) != leaves) refuse(file, "is damaged");
+}
+
+void resume(const Problem& problem, Forest& forest, const std::string& mesh,
+            AdaptTargets& targets) {
+  const fs::path& file = problem.adapt->state;
+  const Json state = read_state(file);
+  std::vector<Leaf> leaves;
+  try {
+    require_same_problem(problem, state.at("problem").get<std::vector<std::string>>());
+    if (state.at("mesh") != mesh)
+      refuse(file, fmt::format("was started on another mesh than {}", mesh_path(problem).string()));
+    for (const Json& step : state.at("steps"))
+      targets.before.push_back(step_of(step));
+    leaves = state.at("leaves").get<std::vector<Leaf>>();
+  } catch (const Json::exception&) {
+    refuse(file, "is damaged");
+  }
+  require_not_ended(file, targets);
+  restore(forest, leaves, file);
+  const ForestMesh next = forest_mesh(forest, Closure::conforming);
+  if (static_cast<std::int64_t>(next.mesh.points.size()) * targets.dofs_per_vertex >
+      targets.max_dofs)
+    refuse(file, "has gone beyond max_dofs");
+}
+
+}  // namespace
+
+void keep_state(const Problem& problem, Forest& forest, AdaptTargets& targets) {
+  if (problem.adapt->state.empty()) return;
+  const std::string mesh = digest(forest.control());
+  if (problem.adapt->resume) resume(problem, forest, mesh, targets);
+  targets.on_refined = [file = problem.adapt->state, mesh, values = settings(problem)](
+                           const std::vector<AdaptStep>& steps, const Forest& refined) {
+    Json state{{"kind", kind}, {"problem", values}, {"mesh", mesh}};
+    state["steps"] = Json::array();
+    for (const AdaptStep& step : steps)
+      state["steps"].push_back(step_json(step));
+    state["leaves"] = leaves_of(refined);
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error)
+      throw OutputError("{}: cannot be made: {}", file.parent_path().string(), error.message());
+    AtomicFile out(file);
+    out.write(state.dump() + "\n");
+    out.commit();
+  };
+}
+
+}  // namespace limes
