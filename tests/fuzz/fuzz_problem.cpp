@@ -18,9 +18,18 @@ namespace {
 /// What every problem that was read promises.
 bool keeps_promises(const limes::Problem& p) {
   bool good = !p.mesh.file.empty() && p.mesh.levels >= 0 && !p.materials.empty();
+  const bool poisson = p.model.kind == limes::ModelKind::poisson;
   for (const limes::MaterialSettings& m : p.materials)
-    good = good && m.young > 0 && std::isfinite(m.young) && m.poisson > -1 && m.poisson < 0.5 &&
-           m.thickness > 0 && std::isfinite(m.thickness);
+    good =
+        good && m.thickness > 0 && std::isfinite(m.thickness) && m.conductivity > 0 &&
+        std::isfinite(m.conductivity) &&
+        (poisson || (m.young > 0 && std::isfinite(m.young) && m.poisson > -1 && m.poisson < 0.5));
+  if (p.adapt)
+    good = good && p.adapt->share > 0 && p.adapt->share <= 1 && p.adapt->max_dofs > 0 &&
+           p.adapt->max_steps > 0 && p.adapt->target_error.value_or(0.5) > 0 &&
+           p.adapt->reference_energy.value_or(1) > 0;
+  for (const std::string& value : p.values)
+    good = good && value.find('\n') == std::string::npos && value.find(" = ") != std::string::npos;
   for (const limes::LoadSettings& load : p.loads)
     for (const limes::Expression& value : load.value)
       (void)value(limes::Vec3(0.1, -2, 3));
