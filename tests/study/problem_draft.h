@@ -132,6 +132,10 @@ class Draft {
       set(table, "where", "\"boundary\"");
       set(table, "zero", "\"x\"");
     }
+    if (key == "smooth_start" || key == "smoothing") {
+      complete("geometry", "radius");
+      set("mesh", "placement", "\"exact\"");
+    }
     if (table == "seam") {
       set("model", "kind", "\"mitc4\"");
       set(table, "parts", "[\"a\", \"b\"]");

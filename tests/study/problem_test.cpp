@@ -225,6 +225,8 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"mesh scheme", p.mesh.scheme},
       {"mesh levels", fmt::format("{}", p.mesh.levels)},
       {"mesh placement", p.mesh.exact ? "exact" : "scheme"},
+      {"mesh smooth_start", fmt::format("{}", p.mesh.smooth_start)},
+      {"mesh smoothing", fmt::format("{}", p.mesh.smoothing)},
       {"model boundary", p.model.boundary == FieldBoundary::free ? "free" : "phantom"},
       {"model kinks", p.model.kinks ? "true" : "false"},
       {"model quadrature_points", fmt::format("{}", p.model.quadrature_points)},

@@ -185,6 +185,8 @@ TEST(Smoothing, RefusesWhatItCannotSlideOn) {
   };
   expect("hole_5_kobbelt.toml", {"mesh.scheme=catmull-clark", "mesh.smoothing=3"},
          "here is neither");
+  expect("hole_5_kobbelt.toml", {"mesh.smoothing=3", "adapt.max_dofs=1000"},
+         "[adapt] smooths meshes on exact surfaces only");
   expect("cylinder_plate_b.toml", {"mesh.smooth_start=3"}, "smooth_start takes quads; face 32");
 }
 

@@ -370,6 +370,10 @@ void ProblemReader::read_adapt() {
       fail(table.place(),
            "[adapt] takes shells whose nodes are vertices; right is [mesh] scheme = \"linear\" or "
            "\"kobbelt\"");
+    if (problem_.mesh.smoothing > 0 && !problem_.mesh.exact)
+      fail(table.place(),
+           "[adapt] smooths meshes on exact surfaces only; right is [mesh] smoothing = 0 or "
+           "placement = \"exact\"");
     if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
       fail(table.place(),
            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");
