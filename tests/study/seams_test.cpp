@@ -212,5 +212,26 @@ TEST(ShellSeam, ErrorsNamePartsVerticesAndDistance) {
   EXPECT_NE(message.find("vertex 15 is 0.001 away"), std::string::npos) << message;
 }
 
+// Linear precision of the scheme kobbelt: the plate between its square and the ellipse stays flat, and square.
+TEST(ShellSeams, SchemeKeepsThePlateFlat) {
+  const ShellModel model = read_shell_model(
+      read_problem(std::filesystem::path(LIMES_DATA_DIR) / "cylinder_plate_c.toml",
+                   std::vector<std::string>{"mesh.file=cylinder_plate_6_quads.obj",
+                                            "mesh.scheme=kobbelt", "mesh.placement=scheme"}));
+  const Mesh& mesh = *model.mesh;
+  ASSERT_EQ(mesh.parts.size(), 2U);
+  double border = 0;
+  for (const FaceId f : mesh.parts[1].faces)
+    for (int i = 0; i < 4; ++i) {
+      const Vec3& x = mesh.points[mesh.topology.face(f)[static_cast<std::size_t>(i)]];
+      EXPECT_LE(std::abs(x.z()), 1e-14);
+      EXPECT_LE(x.head<2>().cwiseAbs().maxCoeff(), 15 + 1e-13);
+      const HalfedgeId h = mesh.topology.halfedge(f, i);
+      if (model.adjacency->twin(h).valid() || x.head<2>().norm() < 10) continue;
+      border += (mesh.points[model.adjacency->to(h)] - x).norm();
+    }
+  EXPECT_NEAR(border, 120, 1e-12 * 120);
+}
+
 }  // namespace
 }  // namespace limes
