@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace limes {
 namespace {
@@ -39,18 +40,18 @@ struct Footpoint {
 
 class FineSurface {
  public:
-  FineSurface(const Mesh& mesh, const Mesh& fine, int steps, int num_fixed)
+  FineSurface(const Mesh& mesh, const Mesh& fine, int steps, IdArray<VertexId, char> stays)
       : fine_(&fine),
         per_face_(1 << (2 * steps)),
         faces_(static_cast<std::size_t>(mesh.topology.num_vertices())),
-        stays_(static_cast<std::size_t>(mesh.topology.num_vertices()), 0) {
+        stays_(std::move(stays)) {
     const Topology& t = mesh.topology;
     for (int f = 0; f < t.num_faces(); ++f)
       for (const VertexId v : t.face(FaceId(f)))
         faces_[v].push_back(FaceId(f));
     const Adjacency adjacency(t);
     for (int v = 0; v < t.num_vertices(); ++v)
-      stays_[VertexId(v)] = v < num_fixed || adjacency.is_boundary(VertexId(v));
+      if (adjacency.is_boundary(VertexId(v))) stays_[VertexId(v)] = 1;
     for (const CreaseTag& crease : mesh.tags.creases)
       stays_[crease.a] = stays_[crease.b] = 1;
   }
@@ -84,8 +85,9 @@ class FineSurface {
 
 }  // namespace
 
-Sliding sliding_on_refinement(const Mesh& mesh, const Mesh& fine, int steps, int num_fixed) {
-  const auto surface = std::make_shared<const FineSurface>(mesh, fine, steps, num_fixed);
+Sliding sliding_on_refinement(const Mesh& mesh, const Mesh& fine, int steps,
+                              IdArray<VertexId, char> stays) {
+  const auto surface = std::make_shared<const FineSurface>(mesh, fine, steps, std::move(stays));
   return {[surface](VertexId v, const Vec3& x) {
             Eigen::Matrix<double, 3, Eigen::Dynamic> out(3, surface->stays(v) ? 0 : 2);
             if (out.cols() == 0) return out;

@@ -1,5 +1,6 @@
 #include "limes/study/shell_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include "limes/study/materials.h"
 #include "limes/study/shell_directors.h"
 #include "limes/study/shell_placement.h"
+#include "limes/study/shell_smoothing.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
@@ -51,13 +53,16 @@ IdArray<HalfedgeId, Vec3> face_normals(const Mesh& mesh, const std::string& file
 
 /// Optimises the shapes of elements; the vertices of the control mesh stay, others slide on the surface
 /// of the interpolatory scheme.
-void slide_on_limit(Mesh& mesh, const Scheme& scheme, BoundaryRule boundary, int num_control,
-                    int sweeps) {
+void slide_on_limit(const Problem& problem, Mesh& mesh, const Scheme& scheme, BoundaryRule boundary,
+                    int num_control) {
   constexpr int steps = 3;
   const Mesh fine = refine(mesh, scheme, {.levels = steps, .boundary = boundary});
   const auto node = tied_nodes(mesh.topology.num_vertices(), {});
+  IdArray<VertexId, char> stays = held_by_selections(problem, mesh);
+  std::fill_n(stays.begin(), num_control, 1);
   improve_shapes(mesh, face_areas(mesh), node,
-                 sliding_on_refinement(mesh, fine, steps, num_control), sweeps);
+                 sliding_on_refinement(mesh, fine, steps, std::move(stays)),
+                 problem.mesh.smoothing);
 }
 
 /// Limit points become nodes; returns the limit surface's normal at each corner.
@@ -229,7 +234,8 @@ ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<T
 
 ShellModel build_shell_model(const Problem& problem, Mesh control) {
   require_shell_control(problem, control);
-  if (problem.mesh.smooth_start > 0) control = refined_on_surfaces(problem, std::move(control), 0);
+  if (problem.mesh.smooth_start > 0 && !problem.mesh.exact)
+    control = refined_on_surfaces(problem, std::move(control), 0);
   const int levels = problem.mesh.levels;
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   const BoundaryRule boundary = control.tags.boundary.value_or(BoundaryRule::edges);
@@ -239,7 +245,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   const std::string file = mesh_path(problem).string();
   require_quads(mesh, file);
   if (problem.mesh.smoothing > 0 && !problem.mesh.exact)
-    slide_on_limit(mesh, scheme, boundary, control.topology.num_vertices(), problem.mesh.smoothing);
+    slide_on_limit(problem, mesh, scheme, boundary, control.topology.num_vertices());
   IdArray<HalfedgeId, Vec3> normal;
   if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
     normal = move_to_limit(mesh, scheme, boundary, file);

@@ -230,7 +230,7 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   const auto smooth = [&](const std::vector<double>& areas, int sweeps) {
     if (sweeps == 0) return;
     require_quads(problem, mesh);
-    improve_shapes(mesh, areas, surfaces, tied, sweeps);
+    improve_shapes(problem, mesh, areas, surfaces, tied, sweeps);
   };
   place(0, mesh.points.size());
   // What faces should have: equal parts of those of the control mesh.
@@ -260,7 +260,7 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
   std::vector<std::vector<Edge>> fine;
   for (const std::vector<Edge>& edges : curves)
     fine.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
-  improve_shapes(mesh.mesh, face_areas(mesh.mesh),
+  improve_shapes(problem, mesh.mesh, face_areas(mesh.mesh),
                  surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
                  problem.mesh.smoothing);
 }

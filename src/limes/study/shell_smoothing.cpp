@@ -5,6 +5,7 @@
 
 #include "limes/core/error.h"
 #include "limes/study/exact_surface.h"
+#include "limes/study/selection.h"
 
 namespace limes {
 namespace {
@@ -17,12 +18,16 @@ bool all_in(const Surfaces& some, const Surfaces& all) {
   });
 }
 
-/// Ends of borders, and borders that nothing but the part's surface holds.
-IdArray<VertexId, char> staying_vertices(const Mesh& mesh, const std::vector<Surfaces>& surfaces,
-                                         const IdArray<VertexId, VertexId>& node) {
+/// Ends of borders and of selections, and borders that nothing but the part's surface holds.
+IdArray<VertexId, char> staying_nodes(const Problem& problem, const Mesh& mesh,
+                                      const std::vector<Surfaces>& surfaces,
+                                      const IdArray<VertexId, VertexId>& node) {
   const Adjacency adjacency(mesh.topology);
   const auto at = [&](VertexId v) { return surfaces[static_cast<std::size_t>(v.value)]; };
   IdArray<VertexId, char> out(static_cast<std::size_t>(node.size()), 0);
+  const IdArray<VertexId, char> held = held_by_selections(problem, mesh);
+  for (int v = 0; v < node.size(); ++v)
+    if (held[VertexId(v)]) out[node[VertexId(v)]] = 1;
   for (int h = 0; h < mesh.topology.num_corners(); ++h) {
     if (adjacency.twin(HalfedgeId(h)).valid()) continue;
     const VertexId a = adjacency.from(HalfedgeId(h)), b = adjacency.to(HalfedgeId(h));
@@ -30,6 +35,29 @@ IdArray<VertexId, char> staying_vertices(const Mesh& mesh, const std::vector<Sur
     if (at(b).size() < 2 || !all_in(at(b), at(a))) out[node[b]] = 1;
   }
   return out;
+}
+
+/// Every `where` that is looked up in the refined mesh, with its line.
+std::vector<std::pair<std::string, int>> selections_of(const Problem& problem) {
+  std::vector<std::pair<std::string, int>> out;
+  for (const MaterialSettings& m : problem.materials)
+    if (m.where) out.emplace_back(*m.where, m.where_line);
+  for (const SupportSettings& s : problem.supports)
+    out.emplace_back(s.where, s.where_line);
+  for (const LoadSettings& l : problem.loads)
+    out.emplace_back(l.where, l.where_line);
+  return out;
+}
+
+/// Empty if there are none, as may be on a coarse mesh.
+std::vector<bool> chosen_vertices(const Problem& problem, const Mesh& mesh,
+                                  const Adjacency& adjacency, const std::string& where, int line) {
+  try {
+    return Selection(mesh, adjacency, mesh.points.span(), where, problem.file.string(), line)
+        .vertices();
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 /// Not a number if nothing is near, so that the step there is refused.
@@ -43,11 +71,29 @@ Vec3 nearest(const Surfaces& surfaces, const Vec3& x) {
 
 }  // namespace
 
-SmoothingResult improve_shapes(Mesh& mesh, const std::vector<double>& areas,
+IdArray<VertexId, char> held_by_selections(const Problem& problem, const Mesh& mesh) {
+  const Adjacency adjacency(mesh.topology);
+  IdArray<VertexId, char> out(static_cast<std::size_t>(mesh.topology.num_vertices()), 0);
+  for (const auto& [where, line] : selections_of(problem)) {
+    const std::vector<bool> chosen = chosen_vertices(problem, mesh, adjacency, where, line);
+    if (chosen.empty()) continue;
+    const auto in = [&](VertexId v) { return chosen[static_cast<std::size_t>(v.value)]; };
+    for (int i = 0; i < mesh.topology.num_corners(); ++i) {
+      const HalfedgeId h(i);
+      const VertexId a = adjacency.from(h), b = adjacency.to(h);
+      if (in(a) == in(b)) continue;
+      const VertexId end = in(a) ? a : b;
+      if (!adjacency.is_boundary(end) || !adjacency.twin(h).valid()) out[end] = 1;
+    }
+  }
+  return out;
+}
+
+SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::vector<double>& areas,
                                const std::vector<Surfaces>& surfaces,
                                const std::vector<TiedEdge>& tied, int sweeps) {
   const auto node = tied_nodes(mesh.topology.num_vertices(), tied);
-  const auto stays = staying_vertices(mesh, surfaces, node);
+  const auto stays = staying_nodes(problem, mesh, surfaces, node);
   const auto of = [&](VertexId v) -> const Surfaces& {
     return surfaces[static_cast<std::size_t>(v.value)];
   };

@@ -8,13 +8,19 @@
 
 namespace limes {
 
+/// Vertices that the selections of a problem (of materials, loads, supports) end at, and which must stay
+/// so that these mean the same afterwards: selected ones with a neighbour that is not; on a border
+/// neighbours along it count. A selection of nothing holds nothing here; the model refuses it.
+[[nodiscard]] IdArray<VertexId, char> held_by_selections(const Problem& problem, const Mesh& mesh);
+
 /// Optimises the shapes of elements with vertices that slide on their exact surfaces: those inside a part
 /// on its surface, those on a border or seam along it if it has a [[curve]] or more than one surface, else
-/// they stay. So do corners: vertices on something that a neighbour along the border is not on.
+/// they stay. So do corners: vertices on something that a neighbour along the border is not on; and what
+/// held_by_selections() says.
 /// @param areas     that the faces should have, > 0; only their ratios count
 /// @param surfaces  of each vertex what it lies on; those of tied vertices are the same
 /// @pre all faces are quads
-SmoothingResult improve_shapes(Mesh& mesh, const std::vector<double>& areas,
+SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::vector<double>& areas,
                                const std::vector<std::vector<const GeometrySettings*>>& surfaces,
                                const std::vector<TiedEdge>& tied, int sweeps);
 
