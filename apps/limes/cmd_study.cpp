@@ -111,6 +111,7 @@ void StudyCommand::study_refinement(const toml::table& document) const {
 }
 
 void StudyCommand::operator()() const {
+  if (!output.empty()) check_output_folder(output);
   const toml::table document = parse_toml(read_toml_text(study), study);
   if (document.contains("refinement"))
     study_refinement(document);

@@ -200,7 +200,8 @@ TEST(Problem, KeysOfAnotherKindAreRefused) {
   for (const char* key : {"shear_factor = 1", "kink_angle = 20", "membrane = \"assumed\""}) {
     std::string text = plane;
     text.insert(text.find("kind"), std::string(key) + "\n");
-    expect_message(message_of<InputError>(text), "p.toml:", {"is no key of plane models"});
+    expect_message(message_of<InputError>(text),
+                   "p.toml:", {"is no key of kind = \"plane-stress\""});
   }
   for (const char* key : {"boundary = \"free\"", "kinks = true", "quadrature_points = 3"}) {
     std::string text = full_shell();

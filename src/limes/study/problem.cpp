@@ -227,7 +227,10 @@ void ProblemReader::read_model() {
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
                   "kind = \"mitc4\"");
     else
-      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane"}, "plane models");
+      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane"},
+                  fmt::format("kind = \"{}\"", kind));
+    if (model.kind == ModelKind::poisson)
+      refuse_keys(table, "model", {"boundary", "kinks", "quadrature_depth"}, "kind = \"poisson\"");
   }
 }
 
@@ -417,6 +420,8 @@ void ProblemReader::check_model() const {
       fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
     return;
   }
+  if (problem_.mesh.smoothing > 0)
+    fail_at(problem_.mesh.line, "smoothing is for shells, [model] kind = \"mitc4\"; remove it");
   if (problem_.geometry || !problem_.geometry_of_parts.empty())
     fail_at(problem_.geometry ? problem_.geometry->line : problem_.geometry_of_parts.front().line,
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");

@@ -124,7 +124,7 @@ void TableReader::check_choice(const Key& key, const std::string& word,
 
 double TableReader::number(const Key& key, const toml::node& value) const {
   if (!value.is_number()) fail_value(key, value);
-  const double result = *value.value<double>();
+  const double result = to_double(value);
   if (!std::isfinite(result))
     fail(place_of(value, file_),
          fmt::format("{} is {}; it must be finite", label(key.name), shown(value)));

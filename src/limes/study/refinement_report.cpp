@@ -12,7 +12,7 @@ namespace limes {
 namespace {
 
 std::optional<double> relative_error(double value, const std::optional<double>& reference) {
-  if (!reference || *reference == 0) return std::nullopt;
+  if (!reference) return std::nullopt;
   return std::abs(value / *reference - 1);
 }
 
@@ -20,11 +20,20 @@ std::string cell(const std::optional<double>& value) {
   return value ? fmt::format("{:.6g}", *value) : "";
 }
 
+/// In quotes where a comma, quote or line end would be misread.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text)
+    out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
 std::string to_csv(const Table& table) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += (i ? "," : "") + row[i];
+      text += (i ? "," : "") + csv_field(row[i]);
     text += '\n';
   };
   add(table.header);
@@ -69,6 +78,14 @@ Drawing displacement_plot(const RefinementStudy& study,
   return drawing(plot);
 }
 
+/// A logarithmic axis shows errors above 0 only.
+bool has_error(const RefinementStudy& study, const std::vector<RefinementCurve>& curves) {
+  for (const RefinementCurve& curve : curves)
+    for (const RefinementPoint& p : curve.points)
+      if (*relative_error(p.energy, study.reference_energy) > 0) return true;
+  return false;
+}
+
 Drawing energy_plot(const RefinementStudy& study, const std::vector<RefinementCurve>& curves) {
   return drawing(convergence_plot("Relative error of the energy", "unknowns", "|E_{h} − E| / E",
                                   series_of(curves,
@@ -95,13 +112,13 @@ Figure mesh_figure(const Mesh& mesh, const std::string& title) {
   return figure;
 }
 
-std::string file_name(std::string name) {
+}  // namespace
+
+std::string picture_name(std::string name) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
   return name;
 }
-
-}  // namespace
 
 Table to_table(const RefinementStudy& study, const std::vector<RefinementCurve>& curves) {
   Table table{{}, {"strategy", "unknowns", "elements", "energy", "displacement"}, {}};
@@ -150,7 +167,8 @@ std::vector<ReportFile> study_files(const RefinementStudy& study,
     files.push_back({name + ".svg", to_svg(picture)});
   };
   report.section("Convergence");
-  if (study.reference_energy) add(energy_plot(study, curves), "energy-error");
+  if (study.reference_energy && has_error(study, curves))
+    add(energy_plot(study, curves), "energy-error");
   add(displacement_plot(study, curves), "displacement");
   report.section("Meshes");
   for (const RefinementCurve& curve : curves)
@@ -159,8 +177,8 @@ std::vector<ReportFile> study_files(const RefinementStudy& study,
           drawing(mesh_figure(*mesh, fmt::format("{}, {} mesh, {} elements", curve.name, which,
                                                  mesh->topology.num_faces())));
       report.figure(picture);
-      files.push_back(
-          {fmt::format("{}-{}.png", file_name(curve.name), which), encode_png(to_image(picture))});
+      files.push_back({fmt::format("{}-{}.png", picture_name(curve.name), which),
+                       encode_png(to_image(picture))});
     }
   const Table table = to_table(study, curves);
   report.section("Figures");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "limes/core/error.h"
@@ -21,8 +23,12 @@ RefinementStrategy read_strategy(const toml::table& table, const RefinementStudy
   out.name = keys.text("name", "");
   if (out.name.empty()) keys.fail("[[strategy]] name is missing");
   for (const RefinementStrategy& other : study.strategies)
-    if (other.name == out.name)
-      keys.fail(fmt::format("there are two strategies '{}'; names must differ", out.name));
+    if (picture_name(other.name) == picture_name(out.name))
+      keys.fail(
+          fmt::format("strategies '{}' and '{}' have the same name for their pictures; names "
+                      "must differ in letters or digits",
+                      other.name, out.name));
+  out.place = fmt::format("{}:{}", file.string(), table.source().begin.line);
   const std::string problem = keys.text("problem", "");
   out.problem = problem.empty() ? usual_problem : file.parent_path() / problem;
   if (out.problem.empty())
@@ -44,6 +50,8 @@ int component_of(TomlKeys& keys) {
 
 std::optional<double> optional_number(TomlKeys& keys, std::string_view key, double low) {
   const double value = keys.number(key, std::numeric_limits<double>::quiet_NaN(), low, any);
+  if (value == 0)
+    keys.fail(*keys.take(key), fmt::format("[refinement] {} is 0; errors are relative to it", key));
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
@@ -86,30 +94,69 @@ RefinementStudy read_refinement_study(const toml::table& document,
   return study;
 }
 
+namespace {
+
+Problem problem_of(const RefinementStudy& study, const RefinementStrategy& strategy,
+                   const std::optional<int>& level) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError("{}: strategy '{}': {}", strategy.place, strategy.name, what);
+  };
+  std::vector<std::string> overrides = strategy.overrides;
+  if (level) overrides.push_back(fmt::format("mesh.levels={}", *level));
+  Problem problem;
+  try {
+    problem = read_problem(strategy.problem, overrides);
+  } catch (const UsageError& error) {
+    fail(error.what());
+  }
+  if (problem.model.kind != ModelKind::mitc4)
+    fail(fmt::format("{} is no shell; a [refinement] study compares shells, kind \"mitc4\"",
+                     problem.file.string()));
+  if (std::none_of(problem.probes.begin(), problem.probes.end(),
+                   [&](const ProbeSettings& p) { return p.name == study.probe; }))
+    fail(fmt::format("{} has no [[probe]] '{}'", problem.file.string(), study.probe));
+  if (level)
+    problem.adapt.reset();
+  else if (!problem.adapt)
+    fail(fmt::format("there are no levels, and no [adapt] in {}", problem.file.string()));
+  return problem;
+}
+
+void require_passed(const RefinementStrategy& strategy, const ShellResult& result) {
+  for (const SolutionCheck& c : result.checks)
+    if (!c.passed())
+      throw SolverError(
+          "{}: strategy '{}': a check of the solution failed: {} is {:.2e}, at most "
+          "{:.2g} is good",
+          strategy.place, strategy.name, c.name, c.value, c.limit);
+}
+
+}  // namespace
+
 std::vector<RefinementCurve> run(const RefinementStudy& study,
                                  const std::function<void(const std::string&)>& on_run) {
-  std::vector<RefinementCurve> out;
+  // All problems are read before the first is solved.
+  std::vector<std::vector<Problem>> problems;
   for (const RefinementStrategy& strategy : study.strategies) {
+    std::vector<Problem>& of_strategy = problems.emplace_back();
+    if (strategy.levels.empty()) of_strategy.push_back(problem_of(study, strategy, {}));
+    for (const int level : strategy.levels)
+      of_strategy.push_back(problem_of(study, strategy, level));
+  }
+  std::vector<RefinementCurve> out;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const RefinementStrategy& strategy = study.strategies[i];
     RefinementCurve& curve = out.emplace_back();
     curve.name = strategy.name;
-    const auto solve = [&](const std::vector<std::string>& overrides, const std::string& name) {
-      if (on_run) on_run(name);
-      const Problem problem = read_problem(strategy.problem, overrides);
-      if (problem.model.kind != ModelKind::mitc4)
-        throw InputError("{}:{}: a [refinement] study compares shells, kind \"mitc4\"",
-                         problem.file.string(), problem.model.line);
-      (void)run_shell_problem(problem, {}, {},
-                              [&](const ShellModel& model, const ShellSolution& solution) {
-                                if (curve.points.empty()) curve.first = *model.mesh;
-                                curve.points.push_back(point_of(study, model, solution));
-                                curve.last = *model.mesh;
-                              });
-    };
-    if (strategy.levels.empty()) solve(strategy.overrides, strategy.name);
-    for (const int level : strategy.levels) {
-      std::vector<std::string> overrides = strategy.overrides;
-      overrides.push_back(fmt::format("mesh.levels={}", level));
-      solve(overrides, fmt::format("{}, level {}", strategy.name, level));
+    for (const Problem& problem : problems[i]) {
+      if (on_run) on_run(fmt::format("{}, levels = {}", strategy.name, problem.mesh.levels));
+      const ShellResult result = run_shell_problem(
+          problem, {}, {}, [&](const ShellModel& model, const ShellSolution& solution) {
+            if (curve.points.empty()) curve.first = *model.mesh;
+            curve.points.push_back(point_of(study, model, solution));
+            curve.last = *model.mesh;
+          });
+      require_passed(strategy, result);
     }
   }
   return out;

@@ -21,7 +21,8 @@ struct RefinementStrategy {
   std::string name;
   std::filesystem::path problem;
   std::vector<std::string> overrides;  ///< "dotted.path=value", as of --set
-  std::vector<int> levels;             ///< empty: the steps of the problem's [adapt]
+  std::vector<int> levels;  ///< without [adapt]; empty: the steps of the problem's [adapt]
+  std::string place;        ///< "FILE:LINE"
 };
 
 struct RefinementStudy {
@@ -36,6 +37,9 @@ struct RefinementStudy {
 [[nodiscard]] RefinementStudy read_refinement_study(const toml::table& document,
                                                     const std::filesystem::path& file);
 
+/// Beginning of the names of a strategy's pictures: letters and digits of its name, '-' for others.
+[[nodiscard]] std::string picture_name(std::string name);
+
 /// What one mesh gave.
 struct RefinementPoint {
   int unknowns = 0, elements = 0;
@@ -49,7 +53,8 @@ struct RefinementCurve {
 };
 
 /// @param on_run  called with the name of what begins
-/// @throws InputError as the problems, and for one that is no shell or lacks the probe
+/// @throws InputError naming the strategy: as the problems, and for one that is no shell or lacks the
+///         probe; SolverError for a solution with a failed check
 [[nodiscard]] std::vector<RefinementCurve> run(
     const RefinementStudy& study, const std::function<void(const std::string&)>& on_run = {});
 

@@ -90,7 +90,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
         const std::vector<TiedEdge> tied = tied_edges(shell.forest, mesh, shell.seams);
         ForestMesh smoothed = mesh;
         if (problem.mesh.smoothing > 0)
-          smooth_on_surfaces(problem, shell.forest, shell.curves, tied, smoothed);
+          smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, tied, smoothed);
         result.model = shell_model_on(problem, std::move(smoothed.mesh), tied);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);

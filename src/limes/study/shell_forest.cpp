@@ -44,7 +44,7 @@ ShellForest shell_forest(const Problem& problem, const Mesh& control) {
       Forest(start, exact ? find_scheme("linear") : scheme, options, SplitUnit::families, {},
              exact ? exact_placement(problem, control, before) : Placement()),
       refined_seams(control, seams_of(problem, control), before),
-      curve_edges(problem, control, before)};
+      curve_edges(problem, control, before), wanted_areas(control, before)};
   for (int level = before; level < problem.mesh.levels; ++level)
     out.forest.refine(out.forest.leaves());
   return out;

@@ -12,6 +12,7 @@ struct ShellForest {
   Forest forest;
   std::vector<TiedEdge> seams;            ///< edges of the control mesh
   std::vector<std::vector<Edge>> curves;  ///< likewise, of each [[curve]]
+  std::vector<double> areas;              ///< that faces of the control mesh should have
 };
 
 /// Every face is split as often as `levels` says. New vertices lie where build_shell_model() puts them.

@@ -1,6 +1,8 @@
 #include "limes/study/shell_placement.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "limes/core/error.h"
 #include "limes/mesh/measure.h"
@@ -118,6 +120,23 @@ std::vector<double> areas_of_children(const Topology& t, const std::vector<doubl
   for (int f = 0; f < t.num_faces(); ++f)
     out.insert(out.end(), static_cast<std::size_t>(t.face_size(FaceId(f))),
                areas[static_cast<std::size_t>(f)] / t.face_size(FaceId(f)));
+  return out;
+}
+
+/// Of the faces of a mesh of a forest: those of a leaf share its part of the control face.
+std::vector<double> areas_in_forest(const Forest& forest, const ForestMesh& mesh,
+                                    const std::vector<double>& areas) {
+  std::vector<double> out;
+  out.reserve(mesh.leaves.size());
+  for (std::size_t first = 0; first < mesh.leaves.size();) {
+    std::size_t last = first;
+    while (last < mesh.leaves.size() && mesh.leaves[last] == mesh.leaves[first])
+      ++last;
+    const FaceAncestry a = forest.ancestry(mesh.leaves[first]);
+    const double area = std::ldexp(areas[static_cast<std::size_t>(a.root.value)], -2 * a.level);
+    out.insert(out.end(), last - first, area / static_cast<double>(last - first));
+    first = last;
+  }
   return out;
 }
 
@@ -254,13 +273,28 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   return mesh;
 }
 
+std::vector<double> wanted_areas(const Mesh& control, int levels) {
+  std::vector<double> areas = face_areas(control);
+  if (levels == 0) return areas;
+  areas = areas_of_children(control.topology, areas);
+  for (int level = 1; level < levels; ++level) {
+    std::vector<double> finer;
+    for (const double area : areas)
+      finer.insert(finer.end(), 4, area / 4);
+    areas = std::move(finer);
+  }
+  return areas;
+}
+
 void smooth_on_surfaces(const Problem& problem, const Forest& forest,
+                        const std::vector<double>& areas,
                         const std::vector<std::vector<Edge>>& curves,
                         const std::vector<TiedEdge>& tied, ForestMesh& mesh) {
+  if (mesh.leaves.size() == areas.size()) return;
   std::vector<std::vector<Edge>> fine;
   for (const std::vector<Edge>& edges : curves)
     fine.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
-  improve_shapes(problem, mesh.mesh, face_areas(mesh.mesh),
+  improve_shapes(problem, mesh.mesh, areas_in_forest(forest, mesh, areas),
                  surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
                  problem.mesh.smoothing);
 }

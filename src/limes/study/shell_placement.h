@@ -35,10 +35,16 @@ using Edge = std::array<VertexId, 2>;
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
 [[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
 
-/// Optimises the shapes of elements of a mesh of a forest as [mesh] smoothing says.
+/// Areas that faces should have after `levels` quadrisections: equal parts of those of the control faces.
+[[nodiscard]] std::vector<double> wanted_areas(const Mesh& control, int levels);
+
+/// Optimises the shapes of elements of a mesh of a forest as [mesh] smoothing says; nothing if no face is
+/// refined.
+/// @param areas   that the faces of the forest's control mesh should have, see wanted_areas()
 /// @param tied    its edges on seams
 /// @param curves  edges of the control mesh, see curve_edges()
 void smooth_on_surfaces(const Problem& problem, const Forest& forest,
+                        const std::vector<double>& areas,
                         const std::vector<std::vector<Edge>>& curves,
                         const std::vector<TiedEdge>& tied, ForestMesh& mesh);
 

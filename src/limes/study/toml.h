@@ -38,3 +38,14 @@ class TomlAssertion : public std::logic_error {
 #endif
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
+
+namespace limes {
+
+/// Of a number; a whole one beyond 2^53 is rounded, for which toml++ itself gives nothing.
+[[nodiscard]] inline double to_double(const toml::node& number) {
+  if (const toml::value<std::int64_t>* const whole = number.as_integer())
+    return static_cast<double>(whole->get());
+  return number.value<double>().value();
+}
+
+}  // namespace limes

@@ -21,10 +21,10 @@ const toml::node* TomlKeys::take(std::string_view key) {
 double TomlKeys::number(std::string_view key, double initial, double low, double high) {
   const toml::node* const node = take(key);
   if (!node) return initial;
-  const auto value = node->value<double>();
-  if (!node->is_number() || !(*value >= low && *value <= high))
+  const double value = node->is_number() ? to_double(*node) : 0;
+  if (!node->is_number() || !(value >= low && value <= high))
     fail(*node, fmt::format("{}{} must be a number from {:.6g} to {:.6g}", name_, key, low, high));
-  return *value;
+  return value;
 }
 
 int TomlKeys::integer(std::string_view key, int initial, int low, int high) {
