@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef LIMES_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -159,6 +163,37 @@ source = 1
   const double sides = h / 6 * (h / 2) * (h / 2) * h * 2 * (n - 1);
   const double square = std::pow(total(estimate_error(s.model, s.solution)), 2);
   EXPECT_NEAR(square, per_area * 2 * h + sides, 1e-12);
+}
+
+// Expressions are not thread safe; more elements than one thread takes at a time.
+TEST(ErrorEstimate, ResidualsOfFormulasAreTheSameForAnyNumberOfThreads) {
+  const SolvedPoisson s = solve_scalar(R"(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "x == 0"
+value = 0
+[[load]]
+where = "all"
+source = "sin(x) * exp(y) + x^2"
+[[load]]
+where = "x == 2"
+flux = "cos(y) + x"
+)" + std::string(by_residual),
+                                       two_halves(48));
+  const auto estimate = [&](std::size_t threads) {
+#ifdef LIMES_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#else
+    (void)threads;
+#endif
+    return estimate_error(s.model, s.solution);
+  };
+  const std::vector<double> one = estimate(1);
+  ASSERT_GT(one.size(), 4U * 1024);
+  for (int run = 0; run < 5; ++run)
+    EXPECT_EQ(estimate(4), one);
 }
 
 TEST(ErrorEstimate, DoesNotSmearAcrossMaterials) {
