@@ -274,6 +274,39 @@ TEST(AdaptiveRun, ResultsHaveTheSteps) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
 }
 
+// One of two squares is a hole.
+TEST(AdaptiveRun, HolesAreNoElements) {
+  const PoissonResult result = run_scalar(R"toml(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "x == 0"
+value = 0
+[[load]]
+where = "all"
+source = 1
+[adapt]
+mark = "fraction"
+share = 1
+max_steps = 2
+)toml",
+                                          R"(v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0
+f 1 2 5 4
+f 2 3 6 5
+t hole 1/0/0 1
+)");
+  const std::vector<AdaptStep>& steps = result.adaptive->history.steps;
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].elements, 1);
+  EXPECT_EQ(steps[1].elements, 4);
+}
+
 std::vector<AdaptStep> l_shape(const std::vector<std::string>& overrides) {
   return run_poisson_problem(read_problem(LIMES_DATA_DIR "/l_shape.toml", overrides))
       .adaptive->history.steps;

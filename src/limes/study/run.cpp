@@ -67,8 +67,9 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
           on_phase(fmt::format("step {}, {} faces", number++, mesh.topology.num_faces()));
         result.model = build(step, mesh);
         result.solution = solve(result.model);
-        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
-                            estimate_error(result.model, result.solution)};
+        return StepSolution{
+            result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
+            result.solution.strain_energy, estimate_error(result.model, result.solution)};
       });
   result.model.problem = problem;
   result.model.remarks = std::move(file.remarks);
@@ -94,7 +95,8 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
         result.model = shell_model_on(problem, std::move(smoothed.mesh), tied);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);
-        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
+        return StepSolution{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
+                            result.solution.strain_energy,
                             estimate_error(result.model, result.solution)};
       });
   result.model.control = std::move(file.mesh);
