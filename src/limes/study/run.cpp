@@ -49,6 +49,14 @@ class Phases {
   std::vector<std::pair<std::string, double>>& timings_;
 };
 
+void require_kept_faces(const Problem& problem, const Tags& tags) {
+  if (tags.boundary == BoundaryRule::none)
+    throw InputError(
+        "{}:{}: [adapt] refines all faces, but {} has the boundary rule none, which drops those at "
+        "the boundary; right is edges or edges-and-corners, 't interpolateboundary 1/0/0 2' or 1",
+        problem.file.string(), problem.adapt->line, mesh_path(problem).string());
+}
+
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
 /// those of the last step.
 template <class Result, class Build, class Solve>
@@ -57,6 +65,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
                     Result& result) {
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
+  require_kept_faces(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
   const Problem step = step_problem(problem);
