@@ -77,6 +77,20 @@ TEST(AdaptiveLoop, EndsAtEachTarget) {
   EXPECT_EQ(none.steps.size(), 1U);
 }
 
+// All of the error stays in the leaf at the origin.
+TEST(AdaptiveLoop, EndsAtTheDeepestLevel) {
+  Forest forest = unit_square();
+  const AdaptHistory history =
+      solve_adaptively(forest, {.max_steps = 100}, [](const ForestMesh& mesh) {
+        StepSolution out{1, 1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
+        out.squares[0] = 1;
+        return out;
+      });
+  EXPECT_EQ(history.end, "max_level");
+  EXPECT_EQ(history.steps.size(), 1U + Forest::max_level);
+  EXPECT_EQ(forest.ancestry(forest.leaves().front()).level, Forest::max_level);
+}
+
 TEST(AdaptiveLoop, TheFirstMeshIsSolvedWhateverItsSize) {
   Forest forest = unit_square();
   const AdaptHistory history = solve_adaptively(forest, {.max_dofs = 1}, bump);
