@@ -18,7 +18,7 @@ Forest unit_square() {
 /// What interpolation of a function with second derivatives near the origin alone would leave.
 StepSolution bump(const ForestMesh& forest) {
   const Mesh& mesh = forest.mesh;
-  StepSolution out{mesh.topology.num_vertices(), 1.0, {}};
+  StepSolution out{mesh.topology.num_vertices(), mesh.topology.num_faces(), 1.0, {}};
   for (int f = 0; f < mesh.topology.num_faces(); ++f) {
     const auto corners = mesh.topology.face(FaceId(f));
     Vec3 centre = Vec3::Zero();
@@ -34,13 +34,13 @@ TEST(AdaptiveLoop, FiguresOfAStepAreThoseOfItsSquares) {
   Forest forest = unit_square();
   const AdaptHistory history =
       solve_adaptively(forest, {.max_steps = 1, .reference_energy = 20.5}, [](const ForestMesh&) {
-        return StepSolution{7, 12.5, {1, 3, 5, 2}};
+        return StepSolution{7, 3, 12.5, {1, 3, 0, 7}};
       });
   ASSERT_EQ(history.steps.size(), 1U);
   EXPECT_EQ(history.end, "max_steps");
   const AdaptStep& step = history.steps[0];
   EXPECT_EQ(step.dofs, 7);
-  EXPECT_EQ(step.elements, 4);
+  EXPECT_EQ(step.elements, 3);
   EXPECT_EQ(step.strain_energy, 12.5);
   EXPECT_DOUBLE_EQ(step.error_estimate, std::sqrt(11.0));
   EXPECT_DOUBLE_EQ(step.relative_error, std::sqrt(11.0 / 36));  // of 2 * 12.5 + 11
@@ -71,10 +71,24 @@ TEST(AdaptiveLoop, EndsAtEachTarget) {
   EXPECT_EQ(end({.max_seconds = 1e-9}).steps.size(), 1U);
   Forest forest = unit_square();
   const AdaptHistory none = solve_adaptively(forest, {}, [](const ForestMesh& mesh) {
-    return StepSolution{1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
+    return StepSolution{1, 1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
   });
   EXPECT_EQ(none.end, "no error left");
   EXPECT_EQ(none.steps.size(), 1U);
+}
+
+// All of the error stays in the leaf at the origin.
+TEST(AdaptiveLoop, EndsAtTheDeepestLevel) {
+  Forest forest = unit_square();
+  const AdaptHistory history =
+      solve_adaptively(forest, {.max_steps = 100}, [](const ForestMesh& mesh) {
+        StepSolution out{1, 1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
+        out.squares[0] = 1;
+        return out;
+      });
+  EXPECT_EQ(history.end, "max_level");
+  EXPECT_EQ(history.steps.size(), 1U + Forest::max_level);
+  EXPECT_EQ(forest.ancestry(forest.leaves().front()).level, Forest::max_level);
 }
 
 TEST(AdaptiveLoop, TheFirstMeshIsSolvedWhateverItsSize) {
@@ -115,7 +129,7 @@ TEST(AdaptiveLoop, SquaresOfALeafsFacesAddUp) {
   (void)solve_adaptively(
       forest, {.mark = MarkingKind::fraction, .share = 1e-3, .max_steps = 2},
       [&](const ForestMesh& step) {
-        StepSolution out{1, 1, {}};
+        StepSolution out{1, 1, 1, {}};
         for (const FaceId leaf : step.leaves) {
           const FaceAncestry a = forest.ancestry(leaf);
           out.squares.push_back(a.root == FaceId(root) ? 1.0 : a.level == 0 ? 0.0 : 1.5);

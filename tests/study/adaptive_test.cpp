@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#ifdef LIMES_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/study/run.h"
@@ -161,6 +166,37 @@ source = 1
   EXPECT_NEAR(square, per_area * 2 * h + sides, 1e-12);
 }
 
+// Expressions are not thread safe; more elements than one thread takes at a time.
+TEST(ErrorEstimate, ResidualsOfFormulasAreTheSameForAnyNumberOfThreads) {
+  const SolvedPoisson s = solve_scalar(R"(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "x == 0"
+value = 0
+[[load]]
+where = "all"
+source = "sin(x) * exp(y) + x^2"
+[[load]]
+where = "x == 2"
+flux = "cos(y) + x"
+)" + std::string(by_residual),
+                                       two_halves(48));
+  const auto estimate = [&](std::size_t threads) {
+#ifdef LIMES_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+#else
+    (void)threads;
+#endif
+    return estimate_error(s.model, s.solution);
+  };
+  const std::vector<double> one = estimate(1);
+  ASSERT_GT(one.size(), 4U * 1024);
+  for (int run = 0; run < 5; ++run)
+    EXPECT_EQ(estimate(4), one);
+}
+
 TEST(ErrorEstimate, DoesNotSmearAcrossMaterials) {
   const SolvedPoisson s =
       solve_scalar(poisson_of_two + "\"y + (x < 1 ? x : 1 + (x - 1) / 4)\"\n", two_halves(4));
@@ -239,6 +275,39 @@ TEST(AdaptiveRun, ResultsHaveTheSteps) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
 }
 
+// One of two squares is a hole.
+TEST(AdaptiveRun, HolesAreNoElements) {
+  const PoissonResult result = run_scalar(R"toml(scheme = "linear"
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "x == 0"
+value = 0
+[[load]]
+where = "all"
+source = 1
+[adapt]
+mark = "fraction"
+share = 1
+max_steps = 2
+)toml",
+                                          R"(v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0
+f 1 2 5 4
+f 2 3 6 5
+t hole 1/0/0 1
+)");
+  const std::vector<AdaptStep>& steps = result.adaptive->history.steps;
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].elements, 1);
+  EXPECT_EQ(steps[1].elements, 4);
+}
+
 std::vector<AdaptStep> l_shape(const std::vector<std::string>& overrides) {
   return run_poisson_problem(read_problem(LIMES_DATA_DIR "/l_shape.toml", overrides))
       .adaptive->history.steps;
@@ -307,6 +376,92 @@ TEST(AdaptiveRun, CooksMembraneGoesToItsEnergy) {
   EXPECT_NEAR(result.probes.at(0).state.u.y(), 23.96774, 0.002 * 23.96774);
 }
 
+TEST(AdaptiveRun, AnErrorOfZeroHasNoPlot) {
+  std::string text = sine("");
+  text.erase(text.find("[[load]]"), text.find("[adapt]") - text.find("[[load]]"));
+  text.erase(text.find("reference_energy"));
+  const PoissonResult result = run_scalar(text, unit_square);
+  EXPECT_EQ(result.adaptive->history.end, "no error left");
+  EXPECT_EQ(result.adaptive->history.steps.back().error_estimate, 0);
+  std::set<std::string> names;
+  for (const ReportFile& file : report_files(result))
+    names.insert(file.name);
+  EXPECT_EQ(names.count("convergence.png"), 0U);
+  EXPECT_EQ(names.count("adapted-mesh.png"), 1U);
+}
+
+/// Runs a problem that keeps its state, with m.obj beside it.
+void run_with_state(const std::string& text, const std::string& obj, bool resume) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "limes_state";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "m.obj") << obj;
+  Problem problem = parse_problem("[mesh]\nfile = \"m.obj\"\n" + text, folder / "p.toml");
+  problem.adapt->state = folder / "state.json";
+  problem.adapt->resume = resume;
+  (void)run_poisson_problem(problem);
+}
+
+std::string refusal_to_resume(const std::string& text, const std::string& obj) {
+  try {
+    run_with_state(text, obj, true);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const char* const two_squares = R"(v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0
+)";
+
+TEST(AdaptState, IsOfOneMeshWithItsNamesAndTags) {
+  const std::string text = sine("max_steps = 2\n"), more = sine("max_steps = 3\n");
+  const std::string faces = "g a\nf 1 2 5 4\nf 2 3 6 5\n";
+  run_with_state(text, two_squares + faces, false);
+  for (const char* tag : {"t crease 2/1/0 1 4 2\n", "t corner 1/1/0 1 2\n", "t hole 1/0/0 1\n",
+                          "t interpolateboundary 1/0/0 2\n"})
+    EXPECT_NE(refusal_to_resume(more, two_squares + faces + tag).find("started on another mesh"),
+              std::string::npos)
+        << tag;
+  for (const char* other : {"f 1 2 5 4\nf 2 3 6 5\n", "g b\nf 1 2 5 4\nf 2 3 6 5\n",
+                            "g a\nf 1 2 5 4\ng b\nf 2 3 6 5\n", "o p\ng a\nf 1 2 5 4\nf 2 3 6 5\n"})
+    EXPECT_NE(
+        refusal_to_resume(more, std::string(two_squares) + other).find("started on another mesh"),
+        std::string::npos)
+        << other;
+  EXPECT_EQ(refusal_to_resume(more, two_squares + faces), "no error");
+}
+
+TEST(AdaptState, WithImpossibleStepsIsDamaged) {
+  const std::string more = sine("max_steps = 3\n");
+  run_with_state(sine("max_steps = 2\n"), unit_square, false);
+  const std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) / "limes_state" / "state.json";
+  const nlohmann::json good = nlohmann::json::parse(std::ifstream(file));
+  const auto refusal = [&](const auto& change) {
+    nlohmann::json bad = good;
+    change(bad["steps"][0]);
+    std::ofstream(file) << bad;
+    return refusal_to_resume(more, unit_square);
+  };
+  using Step = nlohmann::json;
+  const auto expect_damaged = [&](const auto& change) {
+    const std::string message = refusal(change);
+    EXPECT_NE(message.find("state.json: is damaged"), std::string::npos) << message;
+  };
+  expect_damaged([](Step& s) { s["dofs"] = 0; });
+  expect_damaged([](Step& s) { s["dofs"] = 1.5; });
+  expect_damaged([](Step& s) { s["elements"] = -4; });
+  expect_damaged([](Step& s) { s["error_estimate"] = -1; });
+  expect_damaged([](Step& s) { s.erase("true_error"); });
+  expect_damaged([](Step& s) { s["strain_energy"] = nullptr; });
+  EXPECT_EQ(refusal([](Step&) {}), "no error");
+}
+
 TEST(AdaptiveRun, RefusesWhatItCannotDo) {
   const auto refusal = [](const std::string& text, const std::string& obj = unit_square) {
     try {
@@ -325,6 +480,9 @@ TEST(AdaptiveRun, RefusesWhatItCannotDo) {
   triangle.replace(triangle.find("levels = 1"), 10, "levels = 0");
   EXPECT_NE(refusal(triangle, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
                 .find("[adapt] refines quads, but face 0 of"),
+            std::string::npos);
+  EXPECT_NE(refusal(sine(""), std::string(unit_square) + "t interpolateboundary 1/0/0 0\n")
+                .find("p.toml:14: [adapt] refines all faces, but"),
             std::string::npos);
 }
 

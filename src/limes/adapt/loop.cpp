@@ -1,5 +1,6 @@
 #include "limes/adapt/loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -12,7 +13,7 @@ namespace {
 AdaptStep figures(const StepSolution& solution, const AdaptTargets& targets) {
   AdaptStep step;
   step.dofs = solution.dofs;
-  step.elements = static_cast<int>(solution.squares.size());
+  step.elements = solution.elements;
   step.strain_energy = solution.strain_energy;
   const double square = std::accumulate(solution.squares.begin(), solution.squares.end(), 0.0);
   step.error_estimate = std::sqrt(square);
@@ -42,6 +43,12 @@ std::vector<FaceId> marked_leaves(const ForestMesh& mesh, const std::vector<doub
   return out;
 }
 
+/// Whether refine() can split the leaves; what balance and seams add lies no deeper.
+bool can_be_split(const Forest& forest, const std::vector<FaceId>& leaves) {
+  return std::all_of(leaves.begin(), leaves.end(),
+                     [&](FaceId leaf) { return forest.ancestry(leaf).level < Forest::max_level; });
+}
+
 }  // namespace
 
 AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
@@ -64,6 +71,7 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
     if (targets.max_seconds && seconds.count() >= *targets.max_seconds) return ends("max_seconds");
     const std::vector<FaceId> leaves = marked_leaves(mesh, solution.squares, targets);
     if (leaves.empty()) return ends("no error left");
+    if (!can_be_split(forest, leaves)) return ends("max_level");
     forest.refine(leaves);
     match_seams(forest, seams);
     mesh = forest_mesh(forest, Closure::conforming);

@@ -37,9 +37,9 @@ struct AdaptTargets {
       {};
 };
 
-/// A solution on one mesh, and the squared error of each of its faces.
+/// A solution on one mesh, and the squared error of each of its faces, which are 0 for holes.
 struct StepSolution {
-  int dofs = 0;
+  int dofs = 0, elements = 0;
   double strain_energy = 0;
   std::vector<double> squares;
 };

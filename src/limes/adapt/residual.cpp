@@ -46,10 +46,12 @@ std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
 struct FaceSides {
   std::array<Vec2, 4> normal;  ///< outward, of length 1
   std::array<double, 4> length{};
-  std::vector<Vec3> x;        ///< points, side by side
-  std::vector<VectorX> flux;  ///< through the sides, there
-  std::array<MatrixX, 4> A;   ///< stiffness along the normals
-  double h = 0;               ///< square root of the area
+  std::vector<Vec3> x;         ///< points, side by side
+  std::vector<VectorX> flux;   ///< through the sides, there
+  std::array<MatrixX, 4> A;    ///< stiffness along the normals
+  double h = 0;                ///< square root of the area
+  std::vector<VectorX> load;   ///< per area, at the points of the element's table
+  std::vector<VectorX> given;  ///< what the flux on the border should be, there; elsewhere unused
 };
 
 class ResidualEstimate {
@@ -75,6 +77,8 @@ class ResidualEstimate {
   std::vector<double> squares() {
     const auto n = static_cast<std::int64_t>(space_.elements().size());
     for_each_index(n, [&](std::int64_t i) { measure(static_cast<int>(i)); });
+    for (int e = 0; e < static_cast<int>(n); ++e)
+      evaluate_loads(e);
     std::vector<double> out(element_of_face_.size(), 0.0);
     for_each_index(n, [&](std::int64_t i) {
       const int e = static_cast<int>(i);
@@ -122,6 +126,35 @@ class ResidualEstimate {
     }
   }
 
+  /// Of elements one after the other, as LoadDensity asks.
+  void evaluate_loads(int e) {
+    FaceSides& out = sides_[static_cast<std::size_t>(e)];
+    ElementPoints points;
+    to_physical(space_.table(element(e).shape), space_.control_points(e), points);
+    for (Eigen::Index i = 0; i < points.J.size(); ++i)
+      out.load.push_back(load_.on_element(e, points.x.row(i).transpose()));
+    out.given.resize(out.flux.size());
+    for (int k = 0; k < 4; ++k) {
+      const HalfedgeId h = space_.mesh().topology.halfedge(element(e).face, k);
+      if (neighbour(h) >= 0) continue;
+      for (int i = side_points * k; i < side_points * (k + 1); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        VectorX& g = out.given[at];
+        g = load_.on_side(h, out.x[at], out.normal[static_cast<std::size_t>(k)]);
+        for (int c = 0; c < static_cast<int>(g.size()); ++c)
+          if (load_.held(h, c)) g(c) = out.flux[at](c);
+      }
+    }
+  }
+
+  /// The element on the other side; -1 if there is none.
+  [[nodiscard]] int neighbour(HalfedgeId h) const {
+    const Adjacency& adjacency = space_.geometry().adjacency();
+    const HalfedgeId twin = adjacency.twin(h);
+    return twin.valid() ? element_of_face_[static_cast<std::size_t>(adjacency.face(twin).value)]
+                        : -1;
+  }
+
   /// The flux is taken as bilinear in the parameters between four inner points, which is exact in
   /// parallelograms.
   [[nodiscard]] double inner_square(int e) const {
@@ -143,8 +176,8 @@ class ResidualEstimate {
       const VectorX qv = 2 * ((1 - s) * (q.row(3) - q.row(0)) + s * (q.row(2) - q.row(1)));
       const VectorX qx = (xv(i, 1) * qu - xu(i, 1) * qv) / points.J(i);
       const VectorX qy = (xu(i, 0) * qv - xv(i, 0) * qu) / points.J(i);
-      const VectorX r = load_.on_element(e, points.x.row(i).transpose()) + Bx.transpose() * qx +
-                        By.transpose() * qy;
+      const VectorX r =
+          sides(e).load[static_cast<std::size_t>(i)] + Bx.transpose() * qx + By.transpose() * qy;
       sum += std::abs(points.J(i)) * table.weight(i) * weighted_square(r, A);
     }
     return sides(e).h * sides(e).h / 24 * sum;
@@ -154,10 +187,8 @@ class ResidualEstimate {
     const FaceSides& own = sides(e);
     const Adjacency& adjacency = space_.geometry().adjacency();
     const HalfedgeId h = space_.mesh().topology.halfedge(element(e).face, k);
-    const HalfedgeId twin = adjacency.twin(h);
-    const int other =
-        twin.valid() ? element_of_face_[static_cast<std::size_t>(adjacency.face(twin).value)] : -1;
-    const int l = other < 0 ? 0 : adjacency.corner_index(twin);
+    const int other = neighbour(h);
+    const int l = other < 0 ? 0 : adjacency.corner_index(adjacency.twin(h));
     MatrixX A = own.A[static_cast<std::size_t>(k)];
     if (other >= 0) A = 0.5 * (A + sides(other).A[static_cast<std::size_t>(l)]);
     double sum = 0;
@@ -168,9 +199,7 @@ class ResidualEstimate {
         const auto opposite = static_cast<std::size_t>(side_points * (l + 1) - 1 - i);
         j = 0.5 * (own.flux[at] + sides(other).flux[opposite]);
       } else {
-        j = load_.on_side(h, own.x[at], own.normal[static_cast<std::size_t>(k)]) - own.flux[at];
-        for (int c = 0; c < static_cast<int>(j.size()); ++c)
-          if (load_.held(h, c)) j(c) = 0;
+        j = own.given[at] - own.flux[at];
       }
       sum += rule_.weight[static_cast<std::size_t>(i)] * weighted_square(j, A);
     }

@@ -7,7 +7,7 @@
 namespace limes {
 
 /// What a solution should balance, with d components: 1 of a scalar, 2 of displacements. Loads at
-/// points are no part of it.
+/// points are no part of it. Called by one thread at a time, so that it may evaluate expressions.
 struct LoadDensity {
   /// Per area of an element, (d).
   std::function<VectorX(int element, const Vec3& x)> on_element;

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <type_traits>
 
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
@@ -21,20 +24,71 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Leaf = std::array<std::int64_t, 3>;  // root, level, path
 
-constexpr const char* kind = "limes adaptive run 1";
+constexpr const char* kind = "limes adaptive run 2";
 
-/// 64-bit FNV-1a of corners and points.
-std::string digest(const Mesh& mesh) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&](const void* bytes, std::size_t size) {
+/// 64-bit FNV-1a; lists begin with their length.
+class Digest {
+ public:
+  template <class Number>
+  void add(Number value) {
+    static_assert(std::is_arithmetic_v<Number>);
+    add_bytes(&value, sizeof value);
+  }
+  template <class Id>
+  void add_ids(const std::vector<Id>& ids) {
+    add(ids.size());
+    for (const Id id : ids)
+      add(id.value);
+  }
+  void add_groups(const std::vector<FaceGroup>& groups) {
+    add(groups.size());
+    for (const FaceGroup& g : groups) {
+      add(g.name.size());
+      add_bytes(g.name.data(), g.name.size());
+      add_ids(g.faces);
+    }
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  void add_bytes(const void* bytes, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<const unsigned char*>(bytes)[i]) * 1099511628211ULL;
-  };
+      hash_ = (hash_ ^ static_cast<const unsigned char*>(bytes)[i]) * 1099511628211ULL;
+  }
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
+void add_tags(const Tags& tags, Digest& digest) {
+  digest.add(tags.creases.size());
+  for (const CreaseTag& c : tags.creases) {
+    digest.add(c.a.value);
+    digest.add(c.b.value);
+    digest.add(c.sharpness);
+  }
+  digest.add(tags.corners.size());
+  for (const CornerTag& c : tags.corners) {
+    digest.add(c.vertex.value);
+    digest.add(c.sharpness);
+  }
+  digest.add_ids(tags.holes);
+  digest.add(tags.boundary ? static_cast<int>(*tags.boundary) : -1);
+  digest.add(static_cast<int>(tags.crease_method));
+  digest.add(tags.smooth_triangles);
+}
+
+/// Of all that a result may depend on: corners of the quads, points, tags, groups and parts.
+std::string digest(const Mesh& mesh) {
+  Digest out;
+  out.add(mesh.topology.num_corners());
   for (const VertexId v : mesh.topology.corners())
-    add(&v.value, sizeof v.value);
+    out.add(v.value);
   for (const Vec3& x : mesh.points)
-    add(x.data(), 3 * sizeof(double));
-  return fmt::format("{:016x}", hash);
+    for (const double coordinate : x)
+      out.add(coordinate);
+  add_tags(mesh.tags, out);
+  out.add_groups(mesh.groups);
+  out.add_groups(mesh.parts);
+  return out.text();
 }
 
 /// What must be the same: all but the title and when the loop ends.
@@ -70,16 +124,33 @@ Json step_json(const AdaptStep& s) {
   return out;
 }
 
+/// -1 if it is no positive integer.
+int positive(const Json& json) {
+  if (!json.is_number_integer()) return -1;
+  const auto n = json.get<std::int64_t>();
+  return n > 0 && n <= std::numeric_limits<int>::max() ? static_cast<int>(n) : -1;
+}
+
 AdaptStep step_of(const Json& json) {
   AdaptStep s;
-  s.dofs = json.at("dofs").get<int>();
-  s.elements = json.at("elements").get<int>();
+  s.dofs = positive(json.at("dofs"));
+  s.elements = positive(json.at("elements"));
   s.strain_energy = json.at("strain_energy").get<double>();
   s.error_estimate = json.at("error_estimate").get<double>();
   s.relative_error = json.at("relative_error").get<double>();
   if (json.contains("true_error")) s.true_error = json["true_error"].get<double>();
   if (json.contains("effectivity")) s.effectivity = json["effectivity"].get<double>();
   return s;
+}
+
+/// Whether a step can be one of a run with these targets.
+bool is_possible(const AdaptStep& s, const AdaptTargets& targets) {
+  const auto is_error = [](double x) { return std::isfinite(x) && x >= 0; };
+  return s.dofs > 0 && s.elements > 0 && std::isfinite(s.strain_energy) &&
+         is_error(s.error_estimate) && is_error(s.relative_error) &&
+         s.true_error.has_value() == targets.reference_energy.has_value() &&
+         is_error(s.true_error.value_or(0)) && is_error(s.effectivity.value_or(0)) &&
+         s.effectivity.has_value() == (s.true_error.value_or(0) > 0);
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -150,8 +221,10 @@ void resume(const Problem& problem, Forest& forest, const std::string& mesh,
     require_same_problem(problem, state.at("problem").get<std::vector<std::string>>());
     if (state.at("mesh") != mesh)
       refuse(file, fmt::format("was started on another mesh than {}", mesh_path(problem).string()));
-    for (const Json& step : state.at("steps"))
+    for (const Json& step : state.at("steps")) {
       targets.before.push_back(step_of(step));
+      if (!is_possible(targets.before.back(), targets)) refuse(file, "is damaged");
+    }
     leaves = state.at("leaves").get<std::vector<Leaf>>();
   } catch (const Json::exception&) {
     refuse(file, "is damaged");

@@ -97,6 +97,9 @@ std::string end_of(const AdaptiveRun& run) {
   if (end == "max_dofs") return "The loop ended before a mesh with more than max_dofs.";
   if (end == "max_steps") return "The loop ended after max_steps.";
   if (end == "max_seconds") return "The loop ended after max_seconds.";
+  if (end == "max_level")
+    return fmt::format("The loop ended because a face to be refined was on level {}, the deepest.",
+                       Forest::max_level);
   return "The loop ended because no error was left to be seen.";
 }
 
@@ -118,13 +121,18 @@ Table steps_table(const AdaptiveRun& run) {
   return table;
 }
 
-Drawing steps_drawing(const AdaptiveRun& run) {
+std::optional<Drawing> steps_drawing(const AdaptiveRun& run) {
   Series estimate{.name = "estimated", .points = {}};
   Series error{.name = "true", .points = {}, .dashed = true};
   for (const AdaptStep& s : run.history.steps) {
     estimate.points.emplace_back(s.dofs, s.error_estimate);
     if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
   }
+  const auto shown = [](const Series& s) {
+    return std::any_of(s.points.begin(), s.points.end(),
+                       [](const Vec2& point) { return point.y() > 0; });
+  };
+  if (!shown(estimate) && !shown(error)) return std::nullopt;
   std::vector<Series> series{std::move(estimate)};
   if (!error.points.empty()) series.push_back(std::move(error));
   return drawing(convergence_plot("Adaptive refinement", "unknowns", "error in the energy norm",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "limes/adapt/loop.h"
 #include "limes/report/figure.h"
@@ -40,8 +41,8 @@ struct AdaptiveRun {
 [[nodiscard]] std::string end_of(const AdaptiveRun& run);
 /// A line per step.
 [[nodiscard]] Table steps_table(const AdaptiveRun& run);
-/// Error over degrees of freedom, both logarithmic.
-[[nodiscard]] Drawing steps_drawing(const AdaptiveRun& run);
+/// Error over degrees of freedom, both logarithmic; nothing if all errors are 0.
+[[nodiscard]] std::optional<Drawing> steps_drawing(const AdaptiveRun& run);
 /// The logarithm of the error of each face, where it lies.
 [[nodiscard]] Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
                                   const std::optional<Vec3>& direction);

@@ -330,7 +330,9 @@ constexpr std::array keys{
         .type = ValueType::integer,
         .range = from_to(1, 100'000'000),
         .initial = "10000",
-        .help = "stop before a mesh with more vertices times unknowns per vertex than this"},
+        .help =
+            "stop before a mesh with more vertices times unknowns per vertex than this; the first "
+            "one is always solved"},
     Key{.table = "adapt",
         .name = "max_steps",
         .type = ValueType::integer,

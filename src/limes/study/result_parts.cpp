@@ -35,7 +35,7 @@ void add_adaptive_section(const AdaptiveRun& run, const Mesh& mesh,
   report.section("Adaptive refinement");
   report.paragraph(end_of(run));
   report.table(steps_table(run));
-  add_picture(steps_drawing(run), "convergence.png", report, files);
+  if (const auto steps = steps_drawing(run)) add_picture(*steps, "convergence.png", report, files);
   add_picture(drawing(error_figure(run, mesh, direction)), "adapted-mesh.png", report, files);
 }
 

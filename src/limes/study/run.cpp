@@ -49,6 +49,14 @@ class Phases {
   std::vector<std::pair<std::string, double>>& timings_;
 };
 
+void require_kept_faces(const Problem& problem, const Tags& tags) {
+  if (tags.boundary == BoundaryRule::none)
+    throw InputError(
+        "{}:{}: [adapt] refines all faces, but {} has the boundary rule none, which drops those at "
+        "the boundary; right is edges or edges-and-corners, 't interpolateboundary 1/0/0 2' or 1",
+        problem.file.string(), problem.adapt->line, mesh_path(problem).string());
+}
+
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
 /// those of the last step.
 template <class Result, class Build, class Solve>
@@ -57,6 +65,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
                     Result& result) {
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
+  require_kept_faces(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
   const Problem step = step_problem(problem);
@@ -67,8 +76,9 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
           on_phase(fmt::format("step {}, {} faces", number++, mesh.topology.num_faces()));
         result.model = build(step, mesh);
         result.solution = solve(result.model);
-        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
-                            estimate_error(result.model, result.solution)};
+        return StepSolution{
+            result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
+            result.solution.strain_energy, estimate_error(result.model, result.solution)};
       });
   result.model.problem = problem;
   result.model.remarks = std::move(file.remarks);
@@ -94,7 +104,8 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
         result.model = shell_model_on(problem, std::move(smoothed.mesh), tied);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);
-        return StepSolution{result.solution.num_unknowns, result.solution.strain_energy,
+        return StepSolution{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
+                            result.solution.strain_energy,
                             estimate_error(result.model, result.solution)};
       });
   result.model.control = std::move(file.mesh);
