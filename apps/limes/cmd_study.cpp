@@ -115,8 +115,11 @@ void StudyCommand::operator()() const {
   const toml::table document = parse_toml(read_toml_text(study), study);
   if (document.contains("refinement"))
     study_refinement(document);
-  else
+  else if (document.contains("approximation"))
     study_approximation(document);
+  else
+    throw InputError("{}: a study has the table [approximation] or [refinement]; here is neither",
+                     study.string());
 }
 
 }  // namespace
