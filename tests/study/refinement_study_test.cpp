@@ -145,7 +145,7 @@ TEST(SchemeSmoothing, SlidesOnTheSurfaceOfKobbelt) {
     const Vec3 b = fine.mesh->points[fine.adjacency->from(fine.adjacency->prev(h))] - y;
     worst = std::max(worst, std::abs((x - y).dot(a.cross(b).normalized())));
   }
-  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(worst, 6e-4);  // 1.0e-3 if they did not slide
 }
 
 double energy_error(const RefinementPoint& p) {

@@ -22,17 +22,12 @@ bool acts_on_sides(LoadKind kind) {
   return kind == LoadKind::force_per_length || kind == LoadKind::pressure || kind == LoadKind::flux;
 }
 
-Selection selection(const PlaneModel& model, const std::string& where, int line) {
-  return {model.mesh(), model.adjacency(),           model.limit_points.span(),
-          where,        model.problem.file.string(), line};
-}
-
 std::vector<PlacedLoad> placed_loads(const PlaneModel& model) {
   std::vector<PlacedLoad> out;
   const Topology& t = model.mesh().topology;
   for (const LoadSettings& load : model.problem.loads) {
     if (load.kind == LoadKind::force) continue;
-    const Selection chosen = selection(model, load.where, load.where_line);
+    const Selection chosen = model.selection(load.where, load.where_line);
     PlacedLoad placed{&load, std::vector<bool>(static_cast<std::size_t>(t.num_faces()), false),
                       std::vector<bool>(static_cast<std::size_t>(t.num_corners()), false)};
     if (acts_on_sides(load.kind)) {
@@ -51,7 +46,7 @@ std::vector<PlacedLoad> placed_loads(const PlaneModel& model) {
 std::vector<std::array<bool, 2>> held_components(const PlaneModel& model) {
   std::vector<std::array<bool, 2>> out(static_cast<std::size_t>(model.mesh().points.size()));
   for (const SupportSettings& s : model.problem.supports) {
-    const Selection chosen = selection(model, s.where, s.where_line);
+    const Selection chosen = model.selection(s.where, s.where_line);
     const bool value = s.kind == SupportKind::value;
     for (std::size_t v = 0; v < out.size(); ++v)
       if (chosen.vertices()[v])

@@ -13,10 +13,7 @@ namespace {
 class LoadAssembler {
  public:
   LoadAssembler(const PlaneModel& model, const LoadSettings& load)
-      : model_(model),
-        load_(load),
-        chosen_(model.mesh(), model.adjacency(), model.limit_points.span(), load.where,
-                model.problem.file.string(), load.where_line) {}
+      : model_(model), load_(load), chosen_(model.selection(load.where, load.where_line)) {}
 
   VectorX assemble() {
     if (load_.kind != LoadKind::pressure && !load_.value[2].is_zero())

@@ -65,6 +65,10 @@ void require_unfolded(const PlaneModel& model) {
 
 }  // namespace
 
+Selection PlaneModel::selection(const std::string& where, int line) const {
+  return {mesh(), adjacency(), limit_points.span(), where, problem.file.string(), line};
+}
+
 FaceId PlaneModel::control_face(FaceId face) const {
   int id = face.value;  // see subdiv/split.h
   for (int level = problem.mesh.levels; level > 1; --level)

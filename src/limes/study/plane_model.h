@@ -7,10 +7,12 @@
 #include "limes/adapt/recovery.h"
 #include "limes/fem/plane_elasticity.h"
 #include "limes/study/control_mesh.h"
+#include "limes/study/selection.h"
 
 namespace limes {
 
-/// A plane problem, of elasticity or Poisson's equation, on its mesh, ready for loads and supports: what was read, refined, selected.
+/// A plane problem, of elasticity or Poisson's equation, on its mesh, ready for loads and supports: what
+/// was read, refined, selected.
 struct PlaneModel {
   Problem problem;
   Mesh control;  ///< as in the file
@@ -28,6 +30,8 @@ struct PlaneModel {
 
   [[nodiscard]] const Mesh& mesh() const { return space->mesh(); }
   [[nodiscard]] const Adjacency& adjacency() const { return space->geometry().adjacency(); }
+  /// @param line  of `where` in the problem file
+  [[nodiscard]] Selection selection(const std::string& where, int line) const;
   /// Face of the control mesh that a face of mesh() is part of.
   [[nodiscard]] FaceId control_face(FaceId face) const;
   [[nodiscard]] PlaneAssumption assumption() const;

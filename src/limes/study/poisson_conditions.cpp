@@ -19,11 +19,6 @@ double finite(const PlaneModel& model, const Expression& formula, const Vec3& x,
   return value;
 }
 
-Selection selection(const PlaneModel& model, const std::string& where, int line) {
-  return {model.mesh(), model.adjacency(),           model.limit_points.span(),
-          where,        model.problem.file.string(), line};
-}
-
 void require_quads(const PlaneModel& model) {
   const Topology& t = model.mesh().topology;
   for (int f = 0; f < t.num_faces(); ++f)
@@ -110,7 +105,7 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
   std::vector<int> held_at(static_cast<std::size_t>(model.space->num_dofs()), -1);
   for (int s = 0; s < static_cast<int>(model.problem.supports.size()); ++s) {
     const SupportSettings& support = model.problem.supports[static_cast<std::size_t>(s)];
-    const Selection chosen = selection(model, support.where, support.where_line);
+    const Selection chosen = model.selection(support.where, support.where_line);
     for (std::size_t v = 0; v < chosen.vertices().size(); ++v) {
       const VertexId vertex(static_cast<std::int64_t>(v));
       const int dof = chosen.vertices()[v] ? dof_of_vertex(*model.space, vertex) : -1;
@@ -139,7 +134,7 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
 VectorX poisson_loads(const PlaneModel& model) {
   VectorX f = VectorX::Zero(model.space->num_dofs());
   for (const LoadSettings& load : model.problem.loads) {
-    const Selection chosen = selection(model, load.where, load.where_line);
+    const Selection chosen = model.selection(load.where, load.where_line);
     f += load.kind == LoadKind::source ? source_load(model, load, chosen)
                                        : flux_load(model, load, chosen);
   }

@@ -70,8 +70,7 @@ Constraints support_constraints(const PlaneModel& model) {
     if (support.fix[2])
       throw InputError("{}:{}: plane models have no uz; fix ux, uy or both", problem.file.string(),
                        support.line);
-    const Selection chosen(model.mesh(), model.adjacency(), model.limit_points.span(),
-                           support.where, problem.file.string(), support.where_line);
+    const Selection chosen = model.selection(support.where, support.where_line);
     const std::vector<ConstraintRow> rows = held(model, chosen);
     if (rows.empty())
       throw InputError("{}:{}: '{}' selects only vertices of hole faces", problem.file.string(),
