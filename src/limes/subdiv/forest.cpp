@@ -78,10 +78,15 @@ void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
       visit(root_faces_[static_cast<std::size_t>(k)]);
     return;
   }
-  const auto at = faces_at_.find(ForestNodes::level_key(level, v));
-  if (at == faces_at_.end()) return;
-  for (const FaceId f : at->second)
+  const auto at = last_face_at_.find(ForestNodes::level_key(level, v));
+  FaceId f = at == last_face_at_.end() ? FaceId() : at->second;
+  while (f.valid()) {
     visit(f);
+    const QuadCorners& all = corners(f);
+    const auto corner = std::find(all.begin(), all.end(), v) - all.begin();
+    f = face_before_[static_cast<std::size_t>(f.value - root_->mesh.topology.num_faces())]
+                    [static_cast<std::size_t>(corner)];
+  }
 }
 
 std::vector<FaceId> Forest::faces_at(int level, VertexId v) const {
@@ -173,21 +178,40 @@ int Forest::refine(std::span<const FaceId> leaves) {
   return static_cast<int>(seen.size());
 }
 
-/// Adds the faces that share a vertex with a face of the patch; all are of one level.
-void Forest::add_neighbours(std::vector<FaceId>& patch) const {
-  const std::size_t num_before = patch.size();
-  for (std::size_t i = 0; i < num_before; ++i) {
-    const FaceId f = patch[i];
-    for (const VertexId v : face(f).corners)
-      for_each_made_at(face(f).level, v, [&](FaceId n) { patch.push_back(n); });
+/// Faces, each once.
+class Forest::Collection {
+ public:
+  explicit Collection(Forest& forest) : forest_(&forest) {}
+  Collection(const Collection&) = delete;
+  Collection& operator=(const Collection&) = delete;
+  ~Collection() {
+    for (const FaceId f : faces_)
+      forest_->faces_[f].collected = false;
   }
-  sort_unique(patch);
-}
 
-void Forest::sort_unique(std::vector<FaceId>& faces) const {
-  // By number first: that needs no look at the faces, and most of them are there several times.
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  void add(FaceId f) {
+    if (!std::exchange(forest_->faces_[f].collected, true)) faces_.push_back(f);
+  }
+  /// The faces of a level that share a vertex with f.
+  void add_around(FaceId f) {
+    const Face face = forest_->face(f);
+    for (const VertexId v : face.corners)
+      forest_->for_each_made_at(face.level, v, [&](FaceId n) { add(n); });
+  }
+  [[nodiscard]] std::size_t size() const { return faces_.size(); }
+  [[nodiscard]] FaceId operator[](std::size_t i) const { return faces_[i]; }
+  [[nodiscard]] std::vector<FaceId> in_order() const {
+    std::vector<FaceId> faces = faces_;
+    forest_->sort(faces);
+    return faces;
+  }
+
+ private:
+  Forest* forest_;
+  std::vector<FaceId> faces_;
+};
+
+void Forest::sort(std::vector<FaceId>& faces) const {
   const auto in_order = [&](FaceId a, FaceId b) { return before(a, b); };
   if (!std::is_sorted(faces.begin(), faces.end(), in_order))
     std::sort(faces.begin(), faces.end(), in_order);
@@ -200,8 +224,8 @@ bool Forest::touches_curve(FaceId f) const {
 
 /// The faces whose children lie around some faces of a level: those at the corner of the parent that
 /// a face lies at, or at all its corners where two rings are needed.
-std::vector<FaceId> Forest::parents_around(std::span<const FaceId> faces) const {
-  std::vector<FaceId> around;
+std::vector<FaceId> Forest::parents_around(std::span<const FaceId> faces) {
+  Collection around(*this);
   for (const FaceId f : faces) {
     const FaceId parent = face(f).parent;
     if (!parent.valid()) continue;
@@ -209,24 +233,27 @@ std::vector<FaceId> Forest::parents_around(std::span<const FaceId> faces) const 
     for (int i = 0; i < 4; ++i)
       if (two_rings || i == child_index(f))
         for_each_made_at(face(parent).level, corners(parent)[static_cast<std::size_t>(i)],
-                         [&](FaceId n) { around.push_back(n); });
+                         [&](FaceId n) { around.add(n); });
   }
-  sort_unique(around);
-  return around;
+  return around.in_order();
 }
 
 /// What the children of some faces of a level depend on.
-std::vector<FaceId> Forest::patch_around(std::span<const FaceId> faces) const {
-  std::vector<FaceId> patch(faces.begin(), faces.end());
-  add_neighbours(patch);
-  std::vector<FaceId> wide;  // those where two rings are needed
+std::vector<FaceId> Forest::patch_around(std::span<const FaceId> faces) {
+  Collection patch(*this);
+  const auto needs_two_rings = [&](FaceId f) { return face(f).level == 0 || touches_curve(f); };
   for (const FaceId f : faces)
-    if (face(f).level == 0 || touches_curve(f)) wide.push_back(f);
-  add_neighbours(wide);
-  add_neighbours(wide);
-  patch.insert(patch.end(), wide.begin(), wide.end());
-  sort_unique(patch);
-  return patch;
+    if (needs_two_rings(f)) patch.add(f);
+  std::size_t begin = 0;
+  for (int ring = 0; ring < 2; ++ring)
+    for (const std::size_t end = patch.size(); begin < end; ++begin)
+      patch.add_around(patch[begin]);
+  for (const FaceId f : faces)
+    if (!needs_two_rings(f)) {
+      patch.add(f);
+      patch.add_around(f);
+    }
+  return patch.in_order();
 }
 
 /// Makes the children of faces of one level that have none yet. What they depend on is made first:
@@ -236,7 +263,8 @@ void Forest::make_children(std::vector<FaceId> faces) {
   const auto has_children = [&](FaceId f) { return face(f).first_child.valid(); };
   faces.erase(std::remove_if(faces.begin(), faces.end(), has_children), faces.end());
   if (faces.empty()) return;
-  sort_unique(faces);
+  sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   make_children(parents_around(faces));
   const int level = face(faces[0]).level;
   const std::vector<FaceId> patch = patch_around(faces);
@@ -250,21 +278,26 @@ void Forest::make_children(std::vector<FaceId> faces) {
   const int num_before = nodes_.size();
   const std::vector<ChildNodes> made = nodes_.make(level, quads, wanted);
   if (placement_) place(faces, made, num_before);
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    const FaceId f = faces[k];
-    faces_[f].first_child = FaceId(faces_.size());
-    for (std::size_t i = 0; i < 4; ++i) {
-      Face child;
-      child.corners = {face(f).corners[i], made[k].sides[i], made[k].centre,
-                       made[k].sides[(i + 3) % 4]};
-      child.path = 4 * face(f).path + static_cast<std::int64_t>(i);
-      child.root = face(f).root;
-      child.parent = f;
-      child.level = level + 1;
-      for (const VertexId v : child.corners)
-        faces_at_[ForestNodes::level_key(level + 1, v)].push_back(FaceId(faces_.size()));
-      faces_.push_back(child);
-    }
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    add_children(faces[k], made[k]);
+}
+
+void Forest::add_children(FaceId f, const ChildNodes& made) {
+  const Face parent = face(f);
+  faces_[f].first_child = FaceId(faces_.size());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const FaceId id(faces_.size());
+    Face child;
+    child.corners = {parent.corners[i], made.sides[i], made.centre, made.sides[(i + 3) % 4]};
+    child.path = 4 * parent.path + static_cast<std::int64_t>(i);
+    child.root = parent.root;
+    child.parent = f;
+    child.level = parent.level + 1;
+    std::array<FaceId, 4>& before = face_before_.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c)
+      before[c] =
+          std::exchange(last_face_at_[ForestNodes::level_key(child.level, child.corners[c])], id);
+    faces_.push_back(child);
   }
 }
 

@@ -98,7 +98,9 @@ class Forest {
     FaceId first_child = {};  // invalid: never made
     int level = 0;
     bool split = false;
+    bool collected = false;  // by a Collection, while it lives
   };
+  class Collection;
   using Levels = std::vector<std::vector<FaceId>>;
 
   [[nodiscard]] const Face& face(FaceId f) const { return faces_[f]; }
@@ -112,12 +114,12 @@ class Forest {
   void request(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
   void request_around(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
   [[nodiscard]] std::vector<FaceId> family(FaceId f) const;
-  void add_neighbours(std::vector<FaceId>& patch) const;
-  void sort_unique(std::vector<FaceId>& faces) const;
+  void sort(std::vector<FaceId>& faces) const;
   [[nodiscard]] bool touches_curve(FaceId f) const;
-  [[nodiscard]] std::vector<FaceId> parents_around(std::span<const FaceId> faces) const;
-  [[nodiscard]] std::vector<FaceId> patch_around(std::span<const FaceId> faces) const;
+  [[nodiscard]] std::vector<FaceId> parents_around(std::span<const FaceId> faces);
+  [[nodiscard]] std::vector<FaceId> patch_around(std::span<const FaceId> faces);
   void make_children(std::vector<FaceId> faces);
+  void add_children(FaceId f, const ChildNodes& made);
   void place(std::span<const FaceId> faces, std::span<const ChildNodes> made, int num_before);
   [[nodiscard]] bool can_merge(FaceId f) const;
 
@@ -128,7 +130,9 @@ class Forest {
   IdArray<FaceId, Face> faces_;    // the control faces first, then children by fours
   std::vector<int> root_offsets_;  // faces of the control mesh by vertex
   std::vector<FaceId> root_faces_;
-  std::unordered_map<std::uint64_t, std::vector<FaceId>> faces_at_;  // by level >= 1 and vertex
+  // By level >= 1 and vertex the face made last, and of each corner of a child the one made before.
+  std::unordered_map<std::uint64_t, FaceId> last_face_at_;
+  std::vector<std::array<FaceId, 4>> face_before_;
 };
 
 }  // namespace limes

@@ -179,6 +179,8 @@ void OpenNet::build_net() {
 void OpenNet::resolve(Stencil& stencil) const {
   if (rows_.empty()) return;
   const int num_vertices = mesh_->topology().num_vertices();
+  const auto in_mesh = [&](std::int32_t id) { return id < num_vertices; };
+  if (std::all_of(stencil.ids().begin(), stencil.ids().end(), in_mesh)) return;
   const auto row = [&](std::int32_t id) -> const std::vector<Term>& {
     return rows_[static_cast<std::size_t>(id - num_vertices)];
   };

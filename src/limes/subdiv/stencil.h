@@ -43,6 +43,8 @@ class Stencil {
   }
 
   [[nodiscard]] std::span<const Group> groups() const { return groups_; }
+  /// Of all groups.
+  [[nodiscard]] std::span<const std::int32_t> ids() const { return ids_; }
   [[nodiscard]] std::span<const std::int32_t> ids(const Group& g) const {
     return std::span(ids_).subspan(static_cast<std::size_t>(g.begin),
                                    static_cast<std::size_t>(g.end - g.begin));
