@@ -1,6 +1,7 @@
 #include "limes/subdiv/forest.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -28,6 +29,13 @@ Features checked_features(const Adjacency& control, const Mesh& mesh, const Sche
   Features features = control_features(control, mesh, scheme, options);
   const RefinementStep refuses_what_does_not_fit(control, features, scheme);
   return features;
+}
+
+template <class Levels>
+auto& faces_of_level(Levels& levels, int level) {
+  const auto i = static_cast<std::size_t>(level);
+  if (levels.size() <= i) levels.resize(i + 1);
+  return levels[i];
 }
 
 }  // namespace
@@ -78,10 +86,10 @@ void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
       visit(root_faces_[static_cast<std::size_t>(k)]);
     return;
   }
-  const auto at = last_face_at_.find(ForestNodes::level_key(level, v));
-  FaceId f = at == last_face_at_.end() ? FaceId() : at->second;
+  const auto i = static_cast<std::size_t>(v.value);
+  FaceId f = i < last_face_at_.size() ? last_face_at_[i] : FaceId();
   while (f.valid()) {
-    visit(f);
+    if (face(f).level == level) visit(f);
     const QuadCorners& all = corners(f);
     const auto corner = std::find(all.begin(), all.end(), v) - all.begin();
     f = face_before_[static_cast<std::size_t>(f.value - root_->mesh.topology.num_faces())]
@@ -129,55 +137,6 @@ std::vector<FaceId> Forest::leaves() const {
   return all;
 }
 
-/// What is split together with f.
-std::vector<FaceId> Forest::family(FaceId f) const {
-  const FaceId parent = face(f).parent;
-  if (unit_ == SplitUnit::faces || !parent.valid()) return {f};
-  const int first = face(parent).first_child.value;
-  return {FaceId(first), FaceId(first + 1), FaceId(first + 2), FaceId(first + 3)};
-}
-
-void Forest::request(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const {
-  for (const FaceId g : family(f)) {
-    if (face(g).split || !seen.insert(g.value).second) continue;
-    const auto level = static_cast<std::size_t>(face(g).level);
-    if (wanted.size() <= level) wanted.resize(level + 1);
-    wanted[level].push_back(g);
-    request_around(g, wanted, seen);
-  }
-}
-
-/// Before g can be split, all faces around its corners must exist on its level: those that its
-/// parent's neighbours become.
-void Forest::request_around(FaceId g, Levels& wanted,
-                            std::unordered_set<std::int32_t>& seen) const {
-  const FaceId parent = face(g).parent;
-  if (!parent.valid()) return;
-  // Whatever shares a corner or a middle of a side with g has the corner of the parent that g is at.
-  const VertexId v = face(parent).corners[static_cast<std::size_t>(child_index(g))];
-  for (const FaceId n : faces_at(face(parent).level, v))
-    if (!face(n).split) request(n, wanted, seen);
-}
-
-int Forest::refine(std::span<const FaceId> leaves) {
-  Levels wanted;
-  std::unordered_set<std::int32_t> seen;
-  for (const FaceId f : leaves) {
-    LIMES_ASSERT(exists(f) && !face(f).split);
-    if (face(f).level == max_level)
-      throw InputError(
-          "face {} has a face on level {}, which cannot be split; {} levels are the most",
-          face(f).root.value, max_level, max_level);
-    request(f, wanted, seen);
-  }
-  for (const std::vector<FaceId>& faces : wanted) {
-    make_children(faces);
-    for (const FaceId f : faces)
-      faces_[f].split = true;
-  }
-  return static_cast<int>(seen.size());
-}
-
 /// Faces, each once.
 class Forest::Collection {
  public:
@@ -189,8 +148,11 @@ class Forest::Collection {
       forest_->faces_[f].collected = false;
   }
 
-  void add(FaceId f) {
-    if (!std::exchange(forest_->faces_[f].collected, true)) faces_.push_back(f);
+  /// @return whether it was new
+  bool add(FaceId f) {
+    if (std::exchange(forest_->faces_[f].collected, true)) return false;
+    faces_.push_back(f);
+    return true;
   }
   /// The faces of a level that share a vertex with f.
   void add_around(FaceId f) {
@@ -198,8 +160,7 @@ class Forest::Collection {
     for (const VertexId v : face.corners)
       forest_->for_each_made_at(face.level, v, [&](FaceId n) { add(n); });
   }
-  [[nodiscard]] std::size_t size() const { return faces_.size(); }
-  [[nodiscard]] FaceId operator[](std::size_t i) const { return faces_[i]; }
+  [[nodiscard]] const std::vector<FaceId>& faces() const { return faces_; }
   [[nodiscard]] std::vector<FaceId> in_order() const {
     std::vector<FaceId> faces = faces_;
     forest_->sort(faces);
@@ -211,8 +172,67 @@ class Forest::Collection {
   std::vector<FaceId> faces_;
 };
 
+/// What is split together with f.
+template <class Visit>
+void Forest::for_family(FaceId f, const Visit& visit) const {
+  const FaceId parent = face(f).parent;
+  if (unit_ == SplitUnit::faces || !parent.valid()) return visit(f);
+  for (int i = 0; i < 4; ++i)
+    visit(child(parent, i));
+}
+
+void Forest::request(FaceId f, Collection& wanted) const {
+  for_family(f, [&](FaceId g) {
+    if (!face(g).split && wanted.add(g)) request_around(g, wanted);
+  });
+}
+
+/// Before g can be split, all faces around its corners must exist on its level: those that its
+/// parent's neighbours become.
+void Forest::request_around(FaceId g, Collection& wanted) const {
+  const FaceId parent = face(g).parent;
+  if (!parent.valid()) return;
+  // Whatever shares a corner or a middle of a side with g has the corner of the parent that g is at.
+  const VertexId v = face(parent).corners[static_cast<std::size_t>(child_index(g))];
+  for_each_made_at(face(parent).level, v, [&](FaceId n) {
+    if (exists(n) && !face(n).split) request(n, wanted);
+  });
+}
+
+/// Some leaves and what must be split before them.
+std::vector<FaceId> Forest::requested(std::span<const FaceId> leaves) {
+  Collection wanted(*this);
+  for (const FaceId f : leaves) {
+    LIMES_ASSERT(exists(f) && !face(f).split);
+    if (face(f).level == max_level)
+      throw InputError(
+          "face {} has a face on level {}, which cannot be split; {} levels are the most",
+          face(f).root.value, max_level, max_level);
+    request(f, wanted);
+  }
+  return wanted.faces();
+}
+
+int Forest::refine(std::span<const FaceId> leaves) {
+  Levels levels;
+  int num_split = 0;
+  for (const FaceId f : requested(leaves)) {
+    faces_of_level(levels, face(f).level).push_back(f);
+    ++num_split;
+  }
+  for (const std::vector<FaceId>& faces : levels) {
+    make_children(faces);
+    for (const FaceId f : faces)
+      faces_[f].split = true;
+  }
+  return num_split;
+}
+
 void Forest::sort(std::vector<FaceId>& faces) const {
   const auto in_order = [&](FaceId a, FaceId b) { return before(a, b); };
+  if (std::is_sorted(faces.begin(), faces.end(), in_order)) return;
+  // By number first: that needs no look at the faces, and is nearly always enough.
+  std::sort(faces.begin(), faces.end());
   if (!std::is_sorted(faces.begin(), faces.end(), in_order))
     std::sort(faces.begin(), faces.end(), in_order);
 }
@@ -246,13 +266,12 @@ std::vector<FaceId> Forest::patch_around(std::span<const FaceId> faces) {
     if (needs_two_rings(f)) patch.add(f);
   std::size_t begin = 0;
   for (int ring = 0; ring < 2; ++ring)
-    for (const std::size_t end = patch.size(); begin < end; ++begin)
-      patch.add_around(patch[begin]);
+    for (const std::size_t end = patch.faces().size(); begin < end; ++begin)
+      patch.add_around(patch.faces()[begin]);
   for (const FaceId f : faces)
-    if (!needs_two_rings(f)) {
-      patch.add(f);
-      patch.add_around(f);
-    }
+    patch.add(f);
+  for (const FaceId f : faces)
+    if (!needs_two_rings(f)) patch.add_around(f);
   return patch.in_order();
 }
 
@@ -284,20 +303,25 @@ void Forest::make_children(std::vector<FaceId> faces) {
 
 void Forest::add_children(FaceId f, const ChildNodes& made) {
   const Face parent = face(f);
-  faces_[f].first_child = FaceId(faces_.size());
+  const int first = faces_.size();
+  faces_[f].first_child = FaceId(first);
   for (std::size_t i = 0; i < 4; ++i) {
-    const FaceId id(faces_.size());
     Face child;
     child.corners = {parent.corners[i], made.sides[i], made.centre, made.sides[(i + 3) % 4]};
     child.path = 4 * parent.path + static_cast<std::int64_t>(i);
     child.root = parent.root;
     child.parent = f;
     child.level = parent.level + 1;
-    std::array<FaceId, 4>& before = face_before_.emplace_back();
-    for (std::size_t c = 0; c < 4; ++c)
-      before[c] =
-          std::exchange(last_face_at_[ForestNodes::level_key(child.level, child.corners[c])], id);
     faces_.push_back(child);
+  }
+  face_before_.resize(face_before_.size() + 4);
+  if (last_face_at_.size() < static_cast<std::size_t>(nodes_.size()))
+    last_face_at_.resize(static_cast<std::size_t>(nodes_.size()));
+  for (int i = 0; i < 4; ++i) {
+    const FaceId id(first + i);
+    for (std::size_t c = 0; c < 4; ++c)
+      face_before_[face_before_.size() - 4 + static_cast<std::size_t>(i)][c] =
+          std::exchange(last_face_at_[static_cast<std::size_t>(corners(id)[c].value)], id);
   }
 }
 
@@ -324,11 +348,8 @@ void Forest::place(std::span<const FaceId> faces, std::span<const ChildNodes> ma
 
 std::vector<ChildNodes> Forest::child_nodes(std::span<const FaceId> faces) {
   Levels levels;
-  for (const FaceId f : faces) {
-    const auto level = static_cast<std::size_t>(face(f).level);
-    if (levels.size() <= level) levels.resize(level + 1);
-    levels[level].push_back(f);
-  }
+  for (const FaceId f : faces)
+    faces_of_level(levels, face(f).level).push_back(f);
   for (std::vector<FaceId>& level : levels)
     make_children(std::move(level));
   std::vector<ChildNodes> nodes;
@@ -362,24 +383,23 @@ int Forest::coarsen(std::span<const FaceId> leaves) {
     LIMES_ASSERT(exists(f) && !face(f).split);
     const FaceId parent = face(f).parent;
     if (!parent.valid() || ++marked[parent.value] < 4) continue;
-    const auto level = static_cast<std::size_t>(face(parent).level);
-    if (parents.size() <= level) parents.resize(level + 1);
-    parents[level].push_back(parent);
+    faces_of_level(parents, face(parent).level).push_back(parent);
   }
   int merged = 0;
   // From the finest level on; what is merged on one level does not block others of that level.
   for (auto level = parents.rbegin(); level != parents.rend(); ++level)
     for (const FaceId f : *level) {
       if (!face(f).split) continue;  // merged with its family
-      const std::vector<FaceId> together = family(f);
-      const auto fits = [&](FaceId g) {
+      bool fits = true;
+      for_family(f, [&](FaceId g) {
         const auto at = marked.find(g.value);
-        return at != marked.end() && at->second == 4 && can_merge(g);
-      };
-      if (!std::all_of(together.begin(), together.end(), fits)) continue;
-      for (const FaceId g : together)
+        fits = fits && at != marked.end() && at->second == 4 && can_merge(g);
+      });
+      if (!fits) continue;
+      for_family(f, [&](FaceId g) {
         faces_[g].split = false;
-      merged += static_cast<int>(together.size());
+        ++merged;
+      });
     }
   return merged;
 }

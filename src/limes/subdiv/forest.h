@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "limes/mesh/mesh.h"
@@ -111,9 +109,11 @@ class Forest {
   /// Faces that were made, whether they exist now or not.
   template <class Visit>
   void for_each_made_at(int level, VertexId v, const Visit& visit) const;
-  void request(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
-  void request_around(FaceId f, Levels& wanted, std::unordered_set<std::int32_t>& seen) const;
-  [[nodiscard]] std::vector<FaceId> family(FaceId f) const;
+  [[nodiscard]] std::vector<FaceId> requested(std::span<const FaceId> leaves);
+  void request(FaceId f, Collection& wanted) const;
+  void request_around(FaceId f, Collection& wanted) const;
+  template <class Visit>
+  void for_family(FaceId f, const Visit& visit) const;
   void sort(std::vector<FaceId>& faces) const;
   [[nodiscard]] bool touches_curve(FaceId f) const;
   [[nodiscard]] std::vector<FaceId> parents_around(std::span<const FaceId> faces);
@@ -130,8 +130,8 @@ class Forest {
   IdArray<FaceId, Face> faces_;    // the control faces first, then children by fours
   std::vector<int> root_offsets_;  // faces of the control mesh by vertex
   std::vector<FaceId> root_faces_;
-  // By level >= 1 and vertex the face made last, and of each corner of a child the one made before.
-  std::unordered_map<std::uint64_t, FaceId> last_face_at_;
+  // Of each vertex the child made last, and of each corner of a child the one made before, of any level.
+  std::vector<FaceId> last_face_at_;
   std::vector<std::array<FaceId, 4>> face_before_;
 };
 

@@ -124,7 +124,7 @@ void RefinementStep::stencil(NeighbourhoodWalk& walk, const ChildVertex& source,
   switch (source.kind) {
     case ChildVertex::Kind::vertex: {
       const VertexId v(source.from);
-      if (!parent_->ring_start(v).valid()) return out.add(1.0, v);
+      if (scheme_->interpolatory || !parent_->ring_start(v).valid()) return out.add(1.0, v);
       return scheme_->vertex_rule(walk.vertex(v), *features_, out);
     }
     case ChildVertex::Kind::edge: {
