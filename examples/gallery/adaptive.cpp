@@ -23,7 +23,7 @@ Forest refined_to(const Mesh& control, const Vec3& point, double radius, SplitUn
   for (int round = 0; round < 4; ++round, radius /= 2) {
     std::vector<FaceId> marked;
     for (const FaceId f : forest.leaves()) {
-      const QuadCorners& corners = forest.corners(f);
+      const auto corners = forest.corners(f);
       if (std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
             return (forest.nodes().position(v) - point).norm() < radius;
           }))

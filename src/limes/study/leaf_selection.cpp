@@ -51,7 +51,7 @@ LeafSelection::LeafSelection(const Forest& forest, std::string_view where)
 std::vector<FaceId> LeafSelection::leaves(const Forest& forest) {
   std::vector<FaceId> chosen;
   for (const FaceId f : forest.leaves()) {
-    const QuadCorners& corners = forest.corners(f);
+    const auto corners = forest.corners(f);
     const bool meant =
         condition_
             ? std::all_of(corners.begin(), corners.end(),

@@ -1,31 +1,32 @@
 #include "limes/subdiv/forest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
 
 #include "limes/core/error.h"
 #include "limes/subdiv/refinement_step.h"
+#include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
 
+std::size_t as_index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+bool only_triangles(const Topology& t) {
+  return t.num_faces() > 0 && t.uniform_face_size() == 3;
+}
+
 Features checked_features(const Adjacency& control, const Mesh& mesh, const Scheme& scheme,
                           const RefineOptions& options) {
-  if (scheme.split != Split::quads)
-    throw UsageError(
-        "--scheme: {} does not split quads into four; local refinement takes catmull-clark, "
-        "kobbelt or linear",
-        scheme.name);
   if (scheme.boundary == Boundary::creases && options.boundary == BoundaryRule::none)
     throw InputError(
         "boundary rule none drops faces, which local refinement does not do; take rule edges or "
         "edges-and-corners");
-  for (int f = 0; f < mesh.topology.num_faces(); ++f)
-    if (mesh.topology.face_size(FaceId(f)) != 4)
-      throw InputError(
-          "face {} has {} corners; local refinement needs quads, which one step of refine makes", f,
-          mesh.topology.face_size(FaceId(f)));
   Features features = control_features(control, mesh, scheme, options);
   const RefinementStep refuses_what_does_not_fit(control, features, scheme);
   return features;
@@ -33,23 +34,59 @@ Features checked_features(const Adjacency& control, const Mesh& mesh, const Sche
 
 template <class Levels>
 auto& faces_of_level(Levels& levels, int level) {
-  const auto i = static_cast<std::size_t>(level);
-  if (levels.size() <= i) levels.resize(i + 1);
-  return levels[i];
+  if (levels.size() <= as_index(level)) levels.resize(as_index(level) + 1);
+  return levels[as_index(level)];
+}
+
+/// Corners of the children of a face, as uniform refinement orders them (split.h).
+std::array<FaceCorners, 4> corners_of_children(const FaceCorners& v, const ChildNodes& made) {
+  const auto& e = made.sides;
+  if (!made.centre.valid())
+    return {FaceCorners{v[0], e[0], e[2]}, FaceCorners{v[1], e[1], e[0]},
+            FaceCorners{v[2], e[2], e[1]}, FaceCorners{e[0], e[1], e[2]}};
+  std::array<FaceCorners, 4> children;
+  for (std::size_t i = 0; i < 4; ++i)
+    children[i] = {v[i], e[i], made.centre, e[(i + 3) % 4]};
+  return children;
 }
 
 }  // namespace
 
+const Scheme& forest_scheme(const Scheme& scheme, const Topology& control) {
+  if (!is_quadrisection(scheme.split))
+    throw UsageError(
+        "--scheme: {} does not split faces into four; local refinement takes catmull-clark, "
+        "kobbelt or linear on quads, loop, butterfly or linear on triangles",
+        scheme.name);
+  const bool either = scheme.patch == LimitPatch::bilinear;
+  if (either && only_triangles(control)) return linear_triangles();
+  const int size = regular_face_size(scheme);
+  for (int f = 0; f < control.num_faces(); ++f)
+    if (control.face_size(FaceId(f)) != size)
+      throw InputError("face {} has {} corners; local refinement {}", f,
+                       control.face_size(FaceId(f)),
+                       size == 3 ? fmt::format("by {} needs triangles", scheme.name)
+                       : either  ? "needs quads, which one step of refine makes, or triangles only"
+                                 : "needs quads, which one step of refine makes");
+  return scheme;
+}
+
 Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
                SplitUnit unit, LimitsOf limits, Placement placement)
-    : root_(std::make_shared<const Root>(control)),
+    : Forest(std::make_shared<const Root>(control), forest_scheme(scheme, control.topology),
+             options, unit, std::move(limits), std::move(placement)) {}
+
+Forest::Forest(std::shared_ptr<const Root> root, const Scheme& scheme, const RefineOptions& options,
+               SplitUnit unit, LimitsOf limits, Placement placement)
+    : root_(std::move(root)),
+      size_(regular_face_size(scheme)),
       unit_(unit),
-      nodes_(root_->adjacency, control.points.span(),
-             checked_features(root_->adjacency, control, scheme, options), scheme,
+      nodes_(root_->adjacency, root_->mesh.points.span(),
+             checked_features(root_->adjacency, root_->mesh, scheme, options), scheme,
              std::move(limits)),
       placement_(std::move(placement)) {
   LIMES_ASSERT(!placement_ || scheme.interpolatory);
-  const Topology& topology = control.topology;
+  const Topology& topology = root_->mesh.topology;
   // Room for the first children, so that a small step does not copy the control faces.
   faces_.reserve(with_room(static_cast<std::size_t>(topology.num_faces())));
   faces_.resize(static_cast<std::size_t>(topology.num_faces()));
@@ -62,9 +99,9 @@ Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& o
   std::vector<int> next(root_offsets_.begin(), root_offsets_.end() - 1);
   for (int i = 0; i < topology.num_faces(); ++i) {
     const FaceId f(i);
-    std::copy_n(topology.face(f).begin(), 4, faces_[f].corners.begin());
+    std::copy_n(topology.face(f).begin(), size_, faces_[f].corners.begin());
     faces_[f].root = f;
-    for (const VertexId v : faces_[f].corners) {
+    for (const VertexId v : topology.face(f)) {
       int& at = next[static_cast<std::size_t>(v.value)];
       root_faces_[static_cast<std::size_t>(at++)] = f;
     }
@@ -86,14 +123,14 @@ void Forest::for_each_made_at(int level, VertexId v, const Visit& visit) const {
       visit(root_faces_[static_cast<std::size_t>(k)]);
     return;
   }
-  const auto i = static_cast<std::size_t>(v.value);
+  const int num_roots = root_->mesh.topology.num_faces();
+  const auto i = as_index(v.value);
   FaceId f = i < last_face_at_.size() ? last_face_at_[i] : FaceId();
   while (f.valid()) {
     if (face(f).level == level) visit(f);
-    const QuadCorners& all = corners(f);
+    const FaceCorners& all = face(f).corners;
     const auto corner = std::find(all.begin(), all.end(), v) - all.begin();
-    f = face_before_[static_cast<std::size_t>(f.value - root_->mesh.topology.num_faces())]
-                    [static_cast<std::size_t>(corner)];
+    f = face_before_[as_index(f.value - num_roots)][static_cast<std::size_t>(corner)];
   }
 }
 
@@ -110,11 +147,12 @@ FaceAncestry Forest::ancestry(FaceId f) const {
 }
 
 HalfedgeId Forest::control_side(FaceId f, int side) const {
-  // Child i begins at corner i: its side 0 is half of its parent's side i, its side 3 of i - 1.
+  // Child i begins at corner i: its first side is half of its parent's side i, its last of i - 1.
   FaceId g = f;
   for (; face(g).parent.valid(); g = face(g).parent) {
-    if (side == 1 || side == 2) return {};
-    side = (child_index(g) + side) % 4;
+    const bool in_the_middle = child_index(g) == size_;
+    if (in_the_middle || (side != 0 && side != size_ - 1)) return {};
+    side = (child_index(g) + side) % size_;
   }
   return root_->mesh.topology.halfedge(g, side);
 }
@@ -156,9 +194,8 @@ class Forest::Collection {
   }
   /// The faces of a level that share a vertex with f.
   void add_around(FaceId f) {
-    const Face face = forest_->face(f);
-    for (const VertexId v : face.corners)
-      forest_->for_each_made_at(face.level, v, [&](FaceId n) { add(n); });
+    for (const VertexId v : forest_->corners(f))
+      forest_->for_each_made_at(forest_->face(f).level, v, [&](FaceId n) { add(n); });
   }
   [[nodiscard]] const std::vector<FaceId>& faces() const { return faces_; }
   [[nodiscard]] std::vector<FaceId> in_order() const {
@@ -187,14 +224,28 @@ void Forest::request(FaceId f, Collection& wanted) const {
   });
 }
 
+/// Faces of the parent's level, the parent among them, whose children share a vertex with one of the
+/// parent's children; some may be visited twice.
+template <class Visit>
+void Forest::for_each_made_around_child(FaceId parent, int child, const Visit& visit) const {
+  const int level = face(parent).level;
+  // What shares a corner with a child at a corner, or the middle of a side, has the parent's corner.
+  if (child < size_) return for_each_made_at(level, corners(parent)[as_index(child)], visit);
+  for (int i = 0; i < size_; ++i) {
+    const VertexId end = corners(parent)[as_index((i + 1) % size_)];
+    for_each_made_at(level, corners(parent)[as_index(i)], [&](FaceId n) {
+      const auto v = corners(n);
+      if (std::find(v.begin(), v.end(), end) != v.end()) visit(n);
+    });
+  }
+}
+
 /// Before g can be split, all faces around its corners must exist on its level: those that its
 /// parent's neighbours become.
 void Forest::request_around(FaceId g, Collection& wanted) const {
   const FaceId parent = face(g).parent;
   if (!parent.valid()) return;
-  // Whatever shares a corner or a middle of a side with g has the corner of the parent that g is at.
-  const VertexId v = face(parent).corners[static_cast<std::size_t>(child_index(g))];
-  for_each_made_at(face(parent).level, v, [&](FaceId n) {
+  for_each_made_around_child(parent, child_index(g), [&](FaceId n) {
     if (exists(n) && !face(n).split) request(n, wanted);
   });
 }
@@ -238,22 +289,22 @@ void Forest::sort(std::vector<FaceId>& faces) const {
 }
 
 bool Forest::touches_curve(FaceId f) const {
-  const QuadCorners& v = face(f).corners;
+  const auto v = corners(f);
   return std::any_of(v.begin(), v.end(), [&](VertexId x) { return nodes_.on_curve(x); });
 }
 
-/// The faces whose children lie around some faces of a level: those at the corner of the parent that
-/// a face lies at, or at all its corners where two rings are needed.
+/// The faces whose children lie around some faces of a level: those around it as a child of its parent, or
+/// at all corners of the parent where two rings are needed.
 std::vector<FaceId> Forest::parents_around(std::span<const FaceId> faces) {
   Collection around(*this);
   for (const FaceId f : faces) {
     const FaceId parent = face(f).parent;
     if (!parent.valid()) continue;
-    const bool two_rings = touches_curve(f);
-    for (int i = 0; i < 4; ++i)
-      if (two_rings || i == child_index(f))
-        for_each_made_at(face(parent).level, corners(parent)[static_cast<std::size_t>(i)],
-                         [&](FaceId n) { around.add(n); });
+    const auto add = [&](FaceId n) { around.add(n); };
+    for_each_made_around_child(parent, child_index(f), add);
+    if (!touches_curve(f)) continue;
+    for (const VertexId v : corners(parent))
+      for_each_made_at(face(parent).level, v, add);
   }
   return around.in_order();
 }
@@ -287,15 +338,15 @@ void Forest::make_children(std::vector<FaceId> faces) {
   make_children(parents_around(faces));
   const int level = face(faces[0]).level;
   const std::vector<FaceId> patch = patch_around(faces);
-  std::vector<QuadCorners> quads;
+  std::vector<FaceCorners> in_patch;
   std::vector<bool> wanted;
   for (const FaceId f : patch) {
-    quads.push_back(face(f).corners);
+    in_patch.push_back(face(f).corners);
     wanted.push_back(std::binary_search(faces.begin(), faces.end(), f,
                                         [&](FaceId a, FaceId b) { return before(a, b); }));
   }
   const int num_before = nodes_.size();
-  const std::vector<ChildNodes> made = nodes_.make(level, quads, wanted);
+  const std::vector<ChildNodes> made = nodes_.make(level, in_patch, wanted);
   if (placement_) place(faces, made, num_before);
   for (std::size_t k = 0; k < faces.size(); ++k)
     add_children(faces[k], made[k]);
@@ -305,23 +356,23 @@ void Forest::add_children(FaceId f, const ChildNodes& made) {
   const Face parent = face(f);
   const int first = faces_.size();
   faces_[f].first_child = FaceId(first);
+  const std::array<FaceCorners, 4> children = corners_of_children(parent.corners, made);
   for (std::size_t i = 0; i < 4; ++i) {
     Face child;
-    child.corners = {parent.corners[i], made.sides[i], made.centre, made.sides[(i + 3) % 4]};
+    child.corners = children[i];
     child.path = 4 * parent.path + static_cast<std::int64_t>(i);
     child.root = parent.root;
     child.parent = f;
     child.level = parent.level + 1;
     faces_.push_back(child);
   }
-  face_before_.resize(face_before_.size() + 4);
-  if (last_face_at_.size() < static_cast<std::size_t>(nodes_.size()))
-    last_face_at_.resize(static_cast<std::size_t>(nodes_.size()));
+  if (last_face_at_.size() < as_index(nodes_.size())) last_face_at_.resize(as_index(nodes_.size()));
   for (int i = 0; i < 4; ++i) {
     const FaceId id(first + i);
-    for (std::size_t c = 0; c < 4; ++c)
-      face_before_[face_before_.size() - 4 + static_cast<std::size_t>(i)][c] =
-          std::exchange(last_face_at_[static_cast<std::size_t>(corners(id)[c].value)], id);
+    std::array<FaceId, 4>& before = face_before_.emplace_back();
+    const auto v = corners(id);
+    for (std::size_t c = 0; c < v.size(); ++c)
+      before[c] = std::exchange(last_face_at_[as_index(v[c].value)], id);
   }
 }
 
@@ -332,7 +383,7 @@ void Forest::place(std::span<const FaceId> faces, std::span<const ChildNodes> ma
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const FaceId root = face(faces[k]).root;
     std::array<Vec3, 4> corners, middles;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < as_index(size_); ++i) {
       const VertexId v = made[k].sides[i];
       const bool is_new = v.value >= num_before &&
                           !std::exchange(placed[static_cast<std::size_t>(v.value - num_before)], 1);
@@ -342,6 +393,7 @@ void Forest::place(std::span<const FaceId> faces, std::span<const ChildNodes> ma
       corners[i] = nodes_.position(face(faces[k]).corners[i]);
       middles[i] = nodes_.position(v);
     }
+    if (!made[k].centre.valid()) continue;
     nodes_.place(made[k].centre, placement_(between_sides(corners, middles), root, HalfedgeId()));
   }
 }
@@ -356,9 +408,9 @@ std::vector<ChildNodes> Forest::child_nodes(std::span<const FaceId> faces) {
   for (const FaceId f : faces) {
     const int first = face(f).first_child.value;
     ChildNodes& n = nodes.emplace_back();
-    for (int i = 0; i < 4; ++i)
-      n.sides[static_cast<std::size_t>(i)] = corners(FaceId(first + i))[1];
-    n.centre = corners(FaceId(first))[2];
+    for (int i = 0; i < size_; ++i)
+      n.sides[as_index(i)] = corners(FaceId(first + i))[1];
+    if (size_ == 4) n.centre = corners(FaceId(first))[2];
   }
   return nodes;
 }
@@ -367,7 +419,7 @@ std::vector<ChildNodes> Forest::child_nodes(std::span<const FaceId> faces) {
 bool Forest::can_merge(FaceId f) const {
   bool free = true;
   for (int i = 0; i < 4; ++i)
-    for (const VertexId v : face(FaceId(face(f).first_child.value + i)).corners)
+    for (const VertexId v : corners(child(f, i)))
       for_each_made_at(face(f).level + 1, v,
                        [&](FaceId n) { free = free && !(exists(n) && face(n).split); });
   return free;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "limes/core/error.h"
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/forest_nodes.h"
 #include "limes/subdiv/placement.h"
@@ -23,13 +24,19 @@ struct FaceAncestry {
 
 /// Which faces are split together.
 enum class SplitUnit {
-  families,  ///< below the control faces, four siblings: what an all-quad closure needs
+  families,  ///< below the control faces, four siblings: what a closure by quads needs
   faces      ///< each alone
 };
 
-/// A quad mesh refined in places: a quadtree on every control face [kobbelt_1996]. A face is split
-/// like in uniform refinement, children in its order, and its vertices lie where uniform refinement
-/// puts them, bitwise with interpolatory schemes; other schemes place vertices at their limits.
+/// The scheme that refines a mesh in places: the one given, and for `linear` on triangles one that
+/// splits each into four (linear_triangles()).
+/// @throws UsageError if the scheme does not split faces into four; InputError if it does not fit a face
+[[nodiscard]] const Scheme& forest_scheme(const Scheme& scheme, const Topology& control);
+
+/// A mesh of quads or of triangles refined in places: a quadtree on every control face
+/// [kobbelt_1996]. A face is split like in uniform refinement, children in its order, and its vertices
+/// lie where uniform refinement puts them, bitwise with interpolatory schemes; other schemes place
+/// vertices at their limits.
 ///
 /// The forest is balanced: leaves that share a vertex differ by at most one level; a face is split
 /// only where all faces around its corners exist on its level, and those are exactly what its new
@@ -44,8 +51,7 @@ class Forest {
 
   /// @param limits  for schemes that are not interpolatory, see limit/forest_limits.h
   /// @param placement  with interpolatory schemes; of the vertices that splits add, those of the control mesh stay
-  /// @throws InputError if a face is no quad, for BoundaryRule::none, or as refine(); UsageError if the scheme splits
-  ///         otherwise
+  /// @throws as forest_scheme() and refine(); InputError for BoundaryRule::none
   Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
          SplitUnit unit = SplitUnit::families, LimitsOf limits = {}, Placement placement = {});
 
@@ -66,10 +72,19 @@ class Forest {
   [[nodiscard]] const ForestNodes& nodes() const { return nodes_; }
 
   [[nodiscard]] FaceAncestry ancestry(FaceId f) const;
-  [[nodiscard]] const QuadCorners& corners(FaceId f) const { return face(f).corners; }
+  /// Corners of every face: 3 or 4.
+  [[nodiscard]] int face_size() const { return size_; }
+  [[nodiscard]] std::span<const VertexId> corners(FaceId f) const {
+    return std::span(face(f).corners).first(static_cast<std::size_t>(size_));
+  }
+  /// The same of a forest of quads.
+  [[nodiscard]] const QuadCorners& quad(FaceId f) const {
+    LIMES_ASSERT(size_ == 4);
+    return face(f).corners;
+  }
   [[nodiscard]] bool is_split(FaceId f) const { return face(f).split; }
   [[nodiscard]] FaceId parent(FaceId f) const { return face(f).parent; }
-  /// Of a split face; child i lies at corner i.
+  /// Of a split face; child i lies at corner i, child 3 of a triangle in the middle.
   [[nodiscard]] FaceId child(FaceId f, int i) const {
     return FaceId(face(f).first_child.value + i);
   }
@@ -89,8 +104,11 @@ class Forest {
     Mesh mesh;
     Adjacency adjacency;
   };
+  Forest(std::shared_ptr<const Root> root, const Scheme& scheme, const RefineOptions& options,
+         SplitUnit unit, LimitsOf limits, Placement placement);
+
   struct Face {
-    QuadCorners corners;
+    FaceCorners corners;
     std::int64_t path = 0;
     FaceId root, parent;
     FaceId first_child = {};  // invalid: never made
@@ -115,6 +133,8 @@ class Forest {
   template <class Visit>
   void for_family(FaceId f, const Visit& visit) const;
   void sort(std::vector<FaceId>& faces) const;
+  template <class Visit>
+  void for_each_made_around_child(FaceId parent, int child, const Visit& visit) const;
   [[nodiscard]] bool touches_curve(FaceId f) const;
   [[nodiscard]] std::vector<FaceId> parents_around(std::span<const FaceId> faces);
   [[nodiscard]] std::vector<FaceId> patch_around(std::span<const FaceId> faces);
@@ -124,6 +144,7 @@ class Forest {
   [[nodiscard]] bool can_merge(FaceId f) const;
 
   std::shared_ptr<const Root> root_;
+  int size_;
   SplitUnit unit_;
   ForestNodes nodes_;
   Placement placement_;

@@ -35,29 +35,29 @@ struct Turned {
   std::array<VertexId, 4> v, e;
 };
 
-Turned turned(const QuadCorners& corners, const std::array<VertexId, 4>& middles, int first) {
+Turned turned(std::span<const VertexId> corners, const std::array<VertexId, 4>& middles,
+              int first) {
   Turned t;
-  for (std::size_t i = 0; i < 4; ++i) {
-    t.v[i] = corners[(i + static_cast<std::size_t>(first)) % 4];
-    t.e[i] = middles[(i + static_cast<std::size_t>(first)) % 4];
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    t.v[i] = corners[(i + static_cast<std::size_t>(first)) % corners.size()];
+    t.e[i] = middles[(i + static_cast<std::size_t>(first)) % corners.size()];
   }
   return t;
 }
 
 /// The pattern of split sides turned so that it is the smallest number, and by how many corners.
-std::pair<SideMask, int> turned_pattern(SideMask mask) {
+std::pair<SideMask, int> turned_pattern(SideMask mask, unsigned size) {
+  const SideMask all = (1U << size) - 1;
   std::pair<SideMask, int> best{mask, 0};
-  for (int k = 1; k < 4; ++k) {
-    const auto s = static_cast<unsigned>(k);
-    best = std::min(best, {((mask >> s) | (mask << (4U - s))) & 15U, k});
-  }
+  for (unsigned k = 1; k < size; ++k)
+    best = std::min(best, {((mask >> k) | (mask << (size - k))) & all, static_cast<int>(k)});
   return best;
 }
 
 /// @param centre  of the leaf; only for two adjacent and for four split sides
 void cut_into_quads(FaceId leaf, const QuadCorners& corners, const ChildNodes& nodes, SideMask mask,
                     Pieces& out) {
-  const auto [pattern, first] = turned_pattern(mask);
+  const auto [pattern, first] = turned_pattern(mask, 4);
   const auto [v, e] = turned(corners, nodes.sides, first);
   const VertexId c = nodes.centre;
   switch (pattern) {
@@ -81,7 +81,7 @@ void cut_into_quads(FaceId leaf, const QuadCorners& corners, const ChildNodes& n
 
 void cut_with_triangles(FaceId leaf, const QuadCorners& corners,
                         const std::array<VertexId, 4>& middles, SideMask mask, Pieces& out) {
-  const auto [pattern, first] = turned_pattern(mask);
+  const auto [pattern, first] = turned_pattern(mask, 4);
   const auto [v, e] = turned(corners, middles, first);
   switch (pattern) {
     case 0b0000:
@@ -112,6 +112,37 @@ void cut_with_triangles(FaceId leaf, const QuadCorners& corners,
   }
 }
 
+/// Red-green refinement [bank_sherman_weiser_1983]: green triangles, which may be thin, are not split
+/// again, since they are no leaves.
+void cut_into_triangles(const ForestNodes& nodes, FaceId leaf, std::span<const VertexId> corners,
+                        const std::array<VertexId, 4>& middles, SideMask mask, Pieces& out) {
+  const auto [pattern, first] = turned_pattern(mask, 3);
+  const auto [v, e] = turned(corners, middles, first);
+  const auto length = [&](VertexId a, VertexId b) {
+    return (nodes.position(a) - nodes.position(b)).norm();
+  };
+  switch (pattern) {
+    case 0b000:
+      return out.add(leaf, {v[0], v[1], v[2]});
+    case 0b001:
+      out.add(leaf, {v[0], e[0], v[2]});
+      return out.add(leaf, {e[0], v[1], v[2]});
+    case 0b011: {
+      out.add(leaf, {e[0], v[1], e[1]});
+      // What rounding makes of equal lengths does not matter.
+      const bool from_middle = length(e[0], v[2]) <= (1 + 1e-9) * length(v[0], e[1]);
+      out.add(leaf, {v[0], e[0], from_middle ? v[2] : e[1]});
+      return out.add(leaf, {from_middle ? e[0] : v[0], e[1], v[2]});
+    }
+    case 0b111:
+      for (std::size_t i = 0; i < 3; ++i)
+        out.add(leaf, {v[i], e[i], e[(i + 2) % 3]});
+      return out.add(leaf, {e[0], e[1], e[2]});
+    default:
+      LIMES_ASSERT(false);
+  }
+}
+
 void close_with_quads(Forest& forest, const std::vector<FaceId>& leaves,
                       std::vector<SideMask>& masks, Pieces& out) {
   add_sides_for_quads(forest, leaves, masks);
@@ -121,15 +152,15 @@ void close_with_quads(Forest& forest, const std::vector<FaceId>& leaves,
   const std::vector<ChildNodes> nodes = forest.child_nodes(cut);
   std::size_t k = 0;
   for (std::size_t i = 0; i < leaves.size(); ++i)
-    cut_into_quads(leaves[i], forest.corners(leaves[i]), masks[i] != 0 ? nodes[k++] : ChildNodes(),
+    cut_into_quads(leaves[i], forest.quad(leaves[i]), masks[i] != 0 ? nodes[k++] : ChildNodes(),
                    masks[i], out);
 }
 
 std::array<VertexId, 4> middles_of(const Forest& forest, FaceId leaf, SideMask mask) {
-  const QuadCorners& v = forest.corners(leaf);
+  const auto v = forest.corners(leaf);
   std::array<VertexId, 4> middles;
-  for (unsigned i = 0; i < 4; ++i)
-    if ((mask & (1U << i)) != 0) middles[i] = forest.nodes().middle(v[i], v[(i + 1) % 4]);
+  for (unsigned i = 0; i < v.size(); ++i)
+    if ((mask & (1U << i)) != 0) middles[i] = forest.nodes().middle(v[i], v[(i + 1) % v.size()]);
   return middles;
 }
 
@@ -155,6 +186,36 @@ class Numbering {
   IdArray<VertexId, VertexId> number_;
   std::vector<VertexId> nodes_;
 };
+
+/// Cuts every leaf where its neighbours are split, or for vertices that hang leaves it as it is.
+void cut_each(const Forest& forest, const std::vector<FaceId>& leaves,
+              const std::vector<SideMask>& masks, Closure closure, Pieces& out) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const SideMask mask = closure == Closure::hanging ? 0U : masks[i];
+    const std::array<VertexId, 4> middles = middles_of(forest, leaves[i], mask);
+    if (forest.face_size() == 3)
+      cut_into_triangles(forest.nodes(), leaves[i], forest.corners(leaves[i]), middles, mask, out);
+    else
+      cut_with_triangles(leaves[i], forest.quad(leaves[i]), middles, mask, out);
+  }
+}
+
+std::vector<HangingVertex> hanging_vertices(const Forest& forest, const std::vector<FaceId>& leaves,
+                                            const std::vector<SideMask>& masks,
+                                            Numbering& numbering) {
+  std::vector<HangingVertex> hanging;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const auto v = forest.corners(leaves[i]);
+    const std::array<VertexId, 4> middles = middles_of(forest, leaves[i], masks[i]);
+    for (std::size_t k = 0; k < v.size(); ++k)
+      if (middles[k].valid())
+        hanging.push_back(
+            {numbering.of(middles[k]), {numbering.of(v[k]), numbering.of(v[(k + 1) % v.size()])}});
+  }
+  std::sort(hanging.begin(), hanging.end(),
+            [](const HangingVertex& a, const HangingVertex& b) { return a.vertex < b.vertex; });
+  return hanging;
+}
 
 std::vector<FaceGroup> handed_down(const std::vector<FaceGroup>& groups,
                                    const std::vector<std::vector<FaceId>>& faces_of_root) {
@@ -223,14 +284,11 @@ ForestMesh forest_mesh(Forest& forest, Closure closure) {
   std::vector<SideMask> masks = sides_of_split_neighbours(forest, leaves);
   Pieces pieces;
   ForestMesh made;
-  if (closure == Closure::conforming) {
+  const bool by_quads = closure == Closure::conforming && forest.face_size() == 4;
+  if (by_quads)
     close_with_quads(forest, leaves, masks, pieces);
-  } else {
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      cut_with_triangles(leaves[i], forest.corners(leaves[i]),
-                         middles_of(forest, leaves[i], masks[i]),
-                         closure == Closure::triangles ? masks[i] : 0U, pieces);
-  }
+  else
+    cut_each(forest, leaves, masks, closure, pieces);
   Numbering numbering(forest);
   std::vector<VertexId> corners;
   corners.reserve(pieces.corners().size());
@@ -239,25 +297,16 @@ ForestMesh forest_mesh(Forest& forest, Closure closure) {
   for (const VertexId node : numbering.nodes())
     made.mesh.points.push_back(forest.nodes().position(node));
   const int num_vertices = made.mesh.points.size();
-  made.mesh.topology = closure == Closure::triangles
-                           ? Topology(num_vertices, pieces.offsets(), std::move(corners))
-                           : Topology(num_vertices, 4, std::move(corners));
+  const bool mixed = closure == Closure::triangles && forest.face_size() == 4;
+  made.mesh.topology = mixed ? Topology(num_vertices, pieces.offsets(), std::move(corners))
+                             : Topology(num_vertices, forest.face_size(), std::move(corners));
   hand_down_names(forest, pieces, made.mesh);
   hand_down_tags(forest, pieces, numbering.nodes(), made.mesh);
   add_ancestry(forest, pieces, made.mesh);
   made.leaves = pieces.leaves();
   made.nodes = numbering.nodes();
-  if (closure != Closure::hanging) return made;
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const QuadCorners& v = forest.corners(leaves[i]);
-    const std::array<VertexId, 4> middles = middles_of(forest, leaves[i], masks[i]);
-    for (std::size_t k = 0; k < 4; ++k)
-      if (middles[k].valid())
-        made.hanging.push_back(
-            {numbering.of(middles[k]), {numbering.of(v[k]), numbering.of(v[(k + 1) % 4])}});
-  }
-  std::sort(made.hanging.begin(), made.hanging.end(),
-            [](const HangingVertex& a, const HangingVertex& b) { return a.vertex < b.vertex; });
+  if (closure == Closure::hanging)
+    made.hanging = hanging_vertices(forest, leaves, masks, numbering);
   return made;
 }
 

@@ -9,9 +9,9 @@ namespace limes {
 
 /// What is done where leaves of different levels meet.
 enum class Closure {
-  conforming,  ///< only quads, no vertex inside a side; needs SplitUnit::families
-  triangles,   ///< triangles in the coarser leaf; no vertex inside a side
-  hanging      ///< nothing: vertices inside sides remain
+  conforming,  ///< only quads, which needs SplitUnit::families, or only triangles; no vertex inside a side
+  triangles,  ///< triangles in the coarser leaf; no vertex inside a side
+  hanging     ///< nothing: vertices inside sides remain
 };
 
 /// A vertex inside a side of a leaf. Fields that are linear along sides are continuous where the
@@ -34,6 +34,10 @@ struct ForestMesh {
 
 /// The closure is no part of the forest and is made anew each time; the vertices it needs are those of
 /// the next level, and the forest keeps them. Costs as much as the mesh is large.
+///
+/// Closure of triangles, conforming or triangles: red-green refinement [bank_sherman_weiser_1983]. A leaf
+/// with one split side becomes two, with two split sides three, of which two share the shorter
+/// diagonal, and with three it is split as the forest would. All three exist on the next level's vertices.
 ///
 /// All-quad closure, for the leaves of a family: where a neighbour of their parent is split twice, the
 /// two sides there are split, and the inner side that meets them is, too. Then every leaf has none,

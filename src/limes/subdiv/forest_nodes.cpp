@@ -9,22 +9,22 @@
 
 namespace limes {
 
-/// Some quads as a mesh of its own.
+/// Some faces as a mesh of its own.
 struct ForestNodes::Patch {
   std::vector<VertexId> nodes;  ///< of each of the mesh's vertices
   Topology topology;
 
-  explicit Patch(std::span<const QuadCorners> quads) {
+  Patch(std::span<const FaceCorners> faces, int face_size) {
     std::unordered_map<std::int32_t, VertexId> local;
     std::vector<VertexId> corners;
-    corners.reserve(4 * quads.size());
-    for (const QuadCorners& quad : quads)
-      for (const VertexId v : quad) {
+    corners.reserve(4 * faces.size());
+    for (const FaceCorners& face : faces)
+      for (const VertexId v : std::span(face).first(static_cast<std::size_t>(face_size))) {
         const auto [at, is_new] = local.try_emplace(v.value, VertexId(nodes.size()));
         if (is_new) nodes.push_back(v);
         corners.push_back(at->second);
       }
-    topology = Topology(static_cast<int>(nodes.size()), 4, std::move(corners));
+    topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(corners));
   }
   [[nodiscard]] VertexId node(VertexId local) const {
     return nodes[static_cast<std::size_t>(local.value)];
@@ -109,9 +109,34 @@ Features ForestNodes::features_of(const Patch& patch, int level) const {
   return features;
 }
 
-std::vector<ChildNodes> ForestNodes::make(int level, std::span<const QuadCorners> quads,
+/// @param nodes  of the vertices of the step's child; those of this face are written
+ChildNodes ForestNodes::make_children_of(const Patch& patch, const Adjacency& adjacency,
+                                         FaceId face, std::span<VertexId> nodes) {
+  const QuadrisectionIds ids = quadrisection_ids(adjacency);
+  const auto node = [&](VertexId child) -> VertexId& {
+    return nodes[static_cast<std::size_t>(child.value)];
+  };
+  ChildNodes children;
+  for (int i = 0; i < patch.topology.face_size(face); ++i) {
+    const HalfedgeId h = patch.topology.halfedge(face, i);
+    const VertexId a = patch.node(adjacency.from(h)), b = patch.node(adjacency.to(h));
+    const bool curve = !adjacency.twin(h).valid() || edge_sharpness(a, b) > 0;
+    const VertexId middle = middle_or_new(a, b, curve);
+    node(ids.of_vertex(adjacency.from(h))) = a;
+    node(ids.of_edge(adjacency.edge(h))) = middle;
+    children.sides[static_cast<std::size_t>(i)] = middle;
+  }
+  if (scheme_->split == Split::triangles) return children;
+  children.centre = VertexId(positions_.size());
+  positions_.push_back(Vec3::Zero());
+  on_curve_.push_back(0);
+  node(ids.of_face(face)) = children.centre;
+  return children;
+}
+
+std::vector<ChildNodes> ForestNodes::make(int level, std::span<const FaceCorners> faces,
                                           const std::vector<bool>& wanted) {
-  const Patch patch(quads);
+  const Patch patch(faces, regular_face_size(*scheme_));
   const Features features = features_of(patch, level);
   const Adjacency adjacency(patch.topology, Adjacency::Check::edges);
   const RefinementStep step(adjacency, features, *scheme_);
@@ -122,27 +147,11 @@ std::vector<ChildNodes> ForestNodes::make(int level, std::span<const QuadCorners
   std::vector<Vec3> fine(static_cast<std::size_t>(step.num_child_vertices()));
   step.apply(coarse, std::span<Vec3>(fine));
 
-  const QuadrisectionIds ids = quadrisection_ids(adjacency);
   std::vector<VertexId> nodes(fine.size());  // of the child vertices; of those wanted only
   std::vector<ChildNodes> made;
   const int num_before = size();
-  for (std::size_t q = 0; q < quads.size(); ++q) {
-    if (!wanted[q]) continue;
-    const FaceId face(q);
-    ChildNodes& children = made.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-      const HalfedgeId h = patch.topology.halfedge(face, static_cast<int>(i));
-      nodes[static_cast<std::size_t>(adjacency.from(h).value)] = quads[q][i];
-      const VertexId end = quads[q][(i + 1) % 4];
-      const bool curve = !adjacency.twin(h).valid() || edge_sharpness(quads[q][i], end) > 0;
-      children.sides[i] = middle_or_new(quads[q][i], end, curve);
-      nodes[static_cast<std::size_t>(ids.of_edge(adjacency.edge(h)).value)] = children.sides[i];
-    }
-    children.centre = VertexId(positions_.size());
-    positions_.push_back(Vec3::Zero());
-    on_curve_.push_back(0);
-    nodes[static_cast<std::size_t>(ids.of_face(face).value)] = children.centre;
-  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (wanted[f]) made.push_back(make_children_of(patch, adjacency, FaceId(f), nodes));
 
   const bool moves = !scheme_->interpolatory;
   const bool tags = !features.edges.empty() || !features.vertices.empty();

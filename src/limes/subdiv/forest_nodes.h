@@ -14,12 +14,15 @@
 
 namespace limes {
 
-using QuadCorners = std::array<VertexId, 4>;
+/// Corners of a quad, or of a triangle; the fourth is invalid then.
+using FaceCorners = std::array<VertexId, 4>;
+/// The same where faces are known to be quads.
+using QuadCorners = FaceCorners;
 
-/// The vertices that a quad's split adds: in the middle of its sides, and of itself.
+/// The vertices that a face's split adds: in the middle of its sides, and of a quad itself.
 struct ChildNodes {
-  std::array<VertexId, 4> sides;
-  VertexId centre;
+  std::array<VertexId, 4> sides;  ///< of a triangle three
+  VertexId centre;                ///< of a triangle invalid
 };
 
 /// Limit positions of the vertices of a mesh: what schemes that move their vertices need for their
@@ -34,10 +37,11 @@ using LimitsOf =
 
 /// The vertices of a forest of quadtrees (forest.h): which there are, where they lie, and what is
 /// sharp. Vertices of the control mesh keep their ids, others are numbered as they are made. A vertex
-/// once made is kept and keeps its place. Knows quads and their levels, not the trees.
+/// once made is kept and keeps its place. Knows faces and their levels, not the trees. All faces are
+/// quads or all are triangles, as the scheme splits.
 class ForestNodes {
  public:
-  /// @param control  of quads; needed during construction only
+  /// @param control  needed during construction only
   /// @param limits   of schemes that are not interpolatory
   ForestNodes(const Adjacency& control, std::span<const Vec3> points, const Features& features,
               const Scheme& scheme, LimitsOf limits);
@@ -57,13 +61,13 @@ class ForestNodes {
   [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const;
   [[nodiscard]] float vertex_sharpness(int level, VertexId v) const;
 
-  /// Makes the vertices that splitting some quads adds, by one step of the scheme on a patch.
-  /// @param patch   quads of one level in the order of uniform refinement: those to be split, and all
+  /// Makes the vertices that splitting some faces adds, by one step of the scheme on a patch.
+  /// @param patch   faces of one level in the order of uniform refinement: those to be split, and all
   ///                that share a vertex with them; two rings of the control mesh, and around those
   ///                with a vertex on a curve, since what lies beyond it depends on its next vertex
-  /// @param wanted  for each quad whether it is to be split
-  /// @return of the wanted quads
-  std::vector<ChildNodes> make(int level, std::span<const QuadCorners> patch,
+  /// @param wanted  for each face whether it is to be split
+  /// @return of the wanted faces
+  std::vector<ChildNodes> make(int level, std::span<const FaceCorners> patch,
                                const std::vector<bool>& wanted);
 
  private:
@@ -72,6 +76,8 @@ class ForestNodes {
   static std::uint64_t edge_key(VertexId a, VertexId b);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
   [[nodiscard]] Features features_of(const Patch& patch, int level) const;
+  ChildNodes make_children_of(const Patch& patch, const Adjacency& adjacency, FaceId face,
+                              std::span<VertexId> nodes);
   VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);
   void keep_sharp(const Topology& child, const Features& features, int level,
                   std::span<const VertexId> nodes);

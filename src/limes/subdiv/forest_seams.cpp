@@ -20,7 +20,7 @@ struct Side {
                                : Side{forest.child(face, (side + 1) % 4), 3, forward};
   }
   [[nodiscard]] std::array<VertexId, 2> ends(const Forest& forest) const {
-    const QuadCorners& v = forest.corners(face);
+    const QuadCorners& v = forest.quad(face);
     const VertexId a = v[static_cast<std::size_t>(side)];
     const VertexId b = v[static_cast<std::size_t>((side + 1) % 4)];
     return forward ? std::array{a, b} : std::array{b, a};

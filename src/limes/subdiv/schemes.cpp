@@ -115,10 +115,25 @@ constexpr std::array schemes{
            .edge_rule = linear_edge,
            .vertex_rule = linear_vertex}};
 
+constexpr Scheme linear_on_triangles{.name = "linear",
+                                     .summary = "splits triangles in four and leaves the shape",
+                                     .faces = FaceKind::triangles,
+                                     .split = Split::triangles,
+                                     .reach = 0,
+                                     .boundary = Boundary::own,
+                                     .creases = true,
+                                     .interpolatory = true,
+                                     .edge_rule = linear_edge,
+                                     .vertex_rule = linear_vertex};
+
 }  // namespace
 
 std::span<const Scheme> all_schemes() {
   return schemes;
+}
+
+const Scheme& linear_triangles() {
+  return linear_on_triangles;
 }
 
 const Scheme& find_scheme(std::string_view name) {

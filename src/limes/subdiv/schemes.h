@@ -12,6 +12,10 @@ namespace limes {
 /// @throws UsageError for an unknown name, listing the known ones
 [[nodiscard]] const Scheme& find_scheme(std::string_view name);
 
+/// `linear` on triangles, each of which becomes four: what local refinement takes. It is no row of the
+/// list, where `linear` makes quads of every face.
+[[nodiscard]] const Scheme& linear_triangles();
+
 // The rules, one file per scheme. A rule writes into a cleared stencil.
 
 void catmull_clark_face(const FaceNeighbourhood& n, const RuleOptions& options, Stencil& out);

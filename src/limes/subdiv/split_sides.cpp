@@ -10,9 +10,9 @@
 namespace limes {
 namespace {
 
-bool has_side(const QuadCorners& corners, VertexId from, VertexId to) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (corners[i] == from && corners[(i + 1) % 4] == to) return true;
+bool has_side(std::span<const VertexId> corners, VertexId from, VertexId to) {
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] == from && corners[(i + 1) % corners.size()] == to) return true;
   return false;
 }
 
@@ -87,11 +87,11 @@ std::vector<SideMask> sides_of_split_neighbours(const Forest& forest,
   std::vector<SideMask> masks;
   masks.reserve(leaves.size());
   for (const FaceId f : leaves) {
-    const QuadCorners& corners = forest.corners(f);
+    const auto corners = forest.corners(f);
     const int level = forest.ancestry(f).level;
     SideMask mask = 0;
-    for (unsigned i = 0; i < 4; ++i) {
-      const VertexId a = corners[i], b = corners[(i + 1) % 4];
+    for (unsigned i = 0; i < corners.size(); ++i) {
+      const VertexId a = corners[i], b = corners[(i + 1) % corners.size()];
       if (!forest.nodes().middle(a, b).valid()) continue;
       for (const FaceId n : forest.faces_at(level, a))
         if (forest.is_split(n) && has_side(forest.corners(n), b, a)) mask |= 1U << i;
