@@ -7,8 +7,8 @@
 #include "limes/core/error.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
-#include "limes/space/boundary_trace.h"
 #include "limes/study/materials.h"
+#include "limes/study/poisson_conditions.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
@@ -131,8 +131,9 @@ PlaneModel build_model(const Problem& problem, Mesh control,
   model.control = std::move(control);
   if (model.boundary == BoundaryRule::none) drop_boundary_faces(model);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Mesh mesh =
-      refine(model.control, scheme, {.levels = problem.mesh.levels, .boundary = model.boundary});
+  Mesh mesh = model.closed ? model.control
+                           : refine(model.control, scheme,
+                                    {.levels = problem.mesh.levels, .boundary = model.boundary});
   const Adjacency adjacency(mesh.topology, check);
   const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme,
                          check);
@@ -169,7 +170,7 @@ PlaneModel build_model(const Problem& problem, Mesh control,
 std::vector<ConstraintRow> hanging_rows(const PlaneModel& model) {
   std::vector<ConstraintRow> out;
   if (!model.closed) return out;
-  const auto dof = [&](VertexId v) { return value_at_vertex(*model.space, v).front().first; };
+  const auto dof = [&](VertexId v) { return dof_of_vertex(*model.space, v); };
   for (const HangingVertex& h : model.closed->hanging)
     out.push_back({{dof(h.vertex), -1.0}, {dof(h.ends[0]), 0.5}, {dof(h.ends[1]), 0.5}});
   return out;
