@@ -130,8 +130,9 @@ TEST_F(Solve, ResumesToTheSameBytes) {
     const std::string whole = folder / "whole", parts = folder / "parts";
     const auto run = [&](const std::string& out, const char* dofs,
                          const std::vector<std::string>& more = {}) {
-      std::vector<std::string> arguments{"solve", data_file(name), "-o", out, "--set", closure,
-                                         "--set", std::string("adapt.max_dofs=") + dofs};
+      std::vector<std::string> arguments{
+          "solve", data_file(name), "-o",    out,
+          "--set", closure,         "--set", std::string("adapt.max_dofs=") + dofs};
       arguments.insert(arguments.end(), more.begin(), more.end());
       return run_limes(arguments);
     };
