@@ -375,7 +375,7 @@ TEST(ShellError, IsThatOfTheMomentsOfAPlateWithHangingNodes) {
     const ShellModel model = shell_model_on(problem, mesh.mesh, {}, mesh.hanging);
     const ShellSolution solution = solve_shell(model);
     const double error = plate_error_square(model, solution);
-    EXPECT_NEAR(std::sqrt(total_of(estimate_error(model, solution)) / error), 1, 0.05) << shift;
+    EXPECT_NEAR(std::sqrt(total_of(estimate_error(model, solution)) / error), 1, 0.03) << shift;
   }
 }
 
