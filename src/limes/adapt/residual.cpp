@@ -31,7 +31,7 @@ double weighted_square(const VectorX& r, const MatrixX& A) {
   return r.dot(A.llt().solve(r));
 }
 
-/// Points of a rule on the sides of the parameter square, side by side, along each as its face turns.
+/// Adds points of a rule on the sides of the parameter square, side by side, along each as its face turns.
 /// @param pieces  into which each side is cut, each with points of its own
 void add_points_on_sides(const QuadratureRule& rule, int pieces, std::vector<Vec2>& out) {
   constexpr std::array<std::array<double, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};

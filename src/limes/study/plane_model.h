@@ -23,6 +23,8 @@ struct ClosedMesh {
   std::vector<HangingVertex> hanging;
 
   ClosedMesh(Mesh quads, std::span<const HangingVertex> vertices);
+  ClosedMesh(const ClosedMesh&) = delete;
+  ClosedMesh& operator=(const ClosedMesh&) = delete;
 };
 
 /// A plane problem, of elasticity or Poisson's equation, on its mesh, ready for loads and supports: what
