@@ -123,12 +123,16 @@ TEST_F(Solve, AdaptsToTheSameBytesForAnyNumberOfThreads) {
 
 // A run that ends early leaves the state of its last mesh, like one that is interrupted there.
 TEST_F(Solve, ResumesToTheSameBytes) {
-  for (const char* name : {"l_shape.toml", "cook.toml"}) {
+  for (const auto& tried : {std::pair("l_shape.toml", "adapt.closure=conforming"),
+                            std::pair("cook.toml", "adapt.closure=conforming"),
+                            std::pair("cook.toml", "adapt.closure=hanging")}) {
+    const char *const name = tried.first, *const closure = tried.second;
     const std::string whole = folder / "whole", parts = folder / "parts";
     const auto run = [&](const std::string& out, const char* dofs,
                          const std::vector<std::string>& more = {}) {
       std::vector<std::string> arguments{
-          "solve", data_file(name), "-o", out, "--set", std::string("adapt.max_dofs=") + dofs};
+          "solve", data_file(name), "-o",    out,
+          "--set", closure,         "--set", std::string("adapt.max_dofs=") + dofs};
       arguments.insert(arguments.end(), more.begin(), more.end());
       return run_limes(arguments);
     };
@@ -172,6 +176,8 @@ TEST_F(Solve, ResumesOnlyWhatFits) {
   ASSERT_EQ(run_limes({"solve", file, "-o", out, "--set", "adapt.max_dofs=500"}).exit_code, 0);
   expect_failure(resume({"material.young=2"}), 3,
                  "is of another problem, it has 'material.young = 1' where");
+  expect_failure(resume({"adapt.closure=hanging"}), 3,
+                 "is of another problem, it has nothing where");
   expect_failure(resume({"adapt.max_dofs=100"}), 3, "has gone beyond max_dofs");
   expect_failure(resume({"adapt.max_steps=2"}), 3, "has gone beyond step 1, the last of max_steps");
   expect_failure(resume({"adapt.target_error=0.4"}), 3, "at which target_error is reached");

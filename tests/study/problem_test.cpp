@@ -131,6 +131,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.loads.at(1).kind, LoadKind::flux);
   EXPECT_EQ(p.loads.at(1).value[0](Vec3(1, 0, 0)), -3);
   ASSERT_TRUE(p.adapt);
+  EXPECT_EQ(p.adapt->closure, Closure::hanging);
   EXPECT_EQ(p.adapt->mark, MarkingKind::fraction);
   EXPECT_EQ(p.adapt->share, 0.25);
   EXPECT_EQ(p.adapt->target_error, 0.01);
@@ -242,6 +243,7 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"material conductivity", fmt::format("{}", p.materials.at(0).conductivity)},
       {"adapt estimator",
        adapt.estimator == EstimatorKind::zienkiewicz_zhu ? "zienkiewicz-zhu" : "?"},
+      {"adapt closure", adapt.closure == Closure::conforming ? "conforming" : "?"},
       {"adapt mark", adapt.mark == MarkingKind::doerfler ? "doerfler" : "?"},
       {"adapt share", fmt::format("{}", adapt.share)},
       {"adapt max_dofs", fmt::format("{}", adapt.max_dofs)},

@@ -305,10 +305,7 @@ double plate_error_square(const ShellModel& model, const ShellSolution& solution
   return sum;
 }
 
-// Bending of a plate, whose moments are known: the estimate is the error of the resultants. The difference
-// of the energies is not, it is four times its square: shear strains are assumed ones.
-TEST(ShellError, IsThatOfTheMomentsOfAPlate) {
-  constexpr const char* text = R"toml(
+constexpr const char* hard_supported_plate = R"toml(
 [mesh]
 file = "plate.obj"
 scheme = "linear"
@@ -331,20 +328,54 @@ rotation = "hard"
 where = "all"
 force_per_area = [0, 0, "sin(pi * x) * sin(pi * y)"]
 )toml";
+
+/// The unit square of four quads with the inner vertex off the middle.
+Mesh four_quads(double shift) {
+  Mesh plate = shapes::grid(2, 2);
+  for (int v = 0; v < plate.points.size(); ++v)
+    plate.points[VertexId(v)] /= 2;
+  plate.points[VertexId(4)] += Vec3(shift / 2, shift / 4, 0);
+  return plate;
+}
+
+double total_of(const std::vector<double>& squares) {
+  return std::accumulate(squares.begin(), squares.end(), 0.0);
+}
+
+// Bending of a plate, whose moments are known: the estimate is the error of the resultants. The difference
+// of the energies is not, it is four times its square: shear strains are assumed ones.
+TEST(ShellError, IsThatOfTheMomentsOfAPlate) {
   for (const double shift : {0.0, 0.3}) {  // of the inner vertex: squares, or quads that are none
-    Mesh plate = shapes::grid(2, 2);
-    for (int v = 0; v < plate.points.size(); ++v)
-      plate.points[VertexId(v)] /= 2;
-    plate.points[VertexId(4)] += Vec3(shift / 2, shift / 4, 0);
-    const ShellModel model = build_shell_model(parse_problem(text, "p.toml"), plate);
+    const ShellModel model =
+        build_shell_model(parse_problem(hard_supported_plate, "p.toml"), four_quads(shift));
     const ShellSolution solution = solve_shell(model);
-    const std::vector<double> squares = estimate_error(model, solution);
-    const double estimate = std::accumulate(squares.begin(), squares.end(), 0.0);
+    const double estimate = total_of(estimate_error(model, solution));
     const double error = plate_error_square(model, solution);
     EXPECT_NEAR(std::sqrt(estimate / error), 1, 0.03) << shift;
     // w in the middle is 1 / (4 pi^4 D) + 1 / (2 pi^2 k G t)
     constexpr double exact_energy = 0.0035052422;
     EXPECT_GT(2 * (exact_energy - solution.strain_energy) / error, 3) << shift;
+  }
+}
+
+// The same where a quarter of the leaves is split, here and there: with hanging nodes the estimate stays the
+// error.
+TEST(ShellError, IsThatOfTheMomentsOfAPlateWithHangingNodes) {
+  const Problem problem = parse_problem(
+      std::string(hard_supported_plate) + "[adapt]\nclosure = \"hanging\"\n", "p.toml");
+  for (const double shift : {0.0, 0.3}) {
+    ShellForest shell = shell_forest(problem, four_quads(shift));
+    std::mt19937 random(1);
+    std::vector<FaceId> marked;
+    for (const FaceId leaf : shell.forest.leaves())
+      if (random() % 4 == 0) marked.push_back(leaf);
+    shell.forest.refine(marked);
+    const ForestMesh mesh = forest_mesh(shell.forest, Closure::hanging);
+    ASSERT_GT(mesh.hanging.size(), 100U);
+    const ShellModel model = shell_model_on(problem, mesh.mesh, {}, mesh.hanging);
+    const ShellSolution solution = solve_shell(model);
+    const double error = plate_error_square(model, solution);
+    EXPECT_NEAR(std::sqrt(total_of(estimate_error(model, solution)) / error), 1, 0.03) << shift;
   }
 }
 

@@ -51,12 +51,17 @@ bool can_be_split(const Forest& forest, const std::vector<FaceId>& leaves) {
 
 }  // namespace
 
+bool has_too_many_dofs(const ForestMesh& mesh, const AdaptTargets& targets) {
+  const auto free = mesh.mesh.points.size() - static_cast<std::int64_t>(mesh.hanging.size());
+  return free * targets.dofs_per_vertex > targets.max_dofs;
+}
+
 AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
                               const std::function<StepSolution(const ForestMesh& mesh)>& solve,
                               std::span<const TiedEdge> seams) {
   const auto start = std::chrono::steady_clock::now();
   AdaptHistory history{targets.before, {}};
-  for (ForestMesh mesh = forest_mesh(forest, Closure::conforming);;) {
+  for (ForestMesh mesh = forest_mesh(forest, targets.closure);;) {
     check_interrupt();
     const StepSolution solution = solve(mesh);
     history.steps.push_back(figures(solution, targets));
@@ -74,10 +79,8 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
     if (!can_be_split(forest, leaves)) return ends("max_level");
     forest.refine(leaves);
     match_seams(forest, seams);
-    mesh = forest_mesh(forest, Closure::conforming);
-    if (static_cast<std::int64_t>(mesh.mesh.points.size()) * targets.dofs_per_vertex >
-        targets.max_dofs)
-      return ends("max_dofs");
+    mesh = forest_mesh(forest, targets.closure);
+    if (has_too_many_dofs(mesh, targets)) return ends("max_dofs");
     if (targets.on_refined) targets.on_refined(history.steps, forest);
   }
 }

@@ -23,9 +23,10 @@ struct AdaptStep {
 /// When the loop ends, and what it refines.
 struct AdaptTargets {
   MarkingKind mark = MarkingKind::doerfler;
-  double share = 0.5;                ///< see marked()
+  double share = 0.5;  ///< see marked()
+  Closure closure = Closure::conforming;
   std::optional<double> error = {};  ///< relative to the energy norm of the solution
-  int max_dofs = 10'000;             ///< of vertices times dofs_per_vertex
+  int max_dofs = 10'000;             ///< of vertices that do not hang times dofs_per_vertex
   int dofs_per_vertex = 1;
   int max_steps = 30;
   std::optional<double> max_seconds = {};       ///< no step begins later
@@ -36,6 +37,9 @@ struct AdaptTargets {
   std::function<void(const std::vector<AdaptStep>& finished, const Forest& refined)> on_refined =
       {};
 };
+
+/// Whether a mesh is too large for a further step.
+[[nodiscard]] bool has_too_many_dofs(const ForestMesh& mesh, const AdaptTargets& targets);
 
 /// A solution on one mesh, and the squared error of each of its faces, which are 0 for holes.
 struct StepSolution {
@@ -50,7 +54,7 @@ struct AdaptHistory {
 };
 
 /// Solve, estimate, mark, refine until a target is reached. Each step solves on the mesh of the forest
-/// with a conforming closure; the errors of the faces in a leaf add up. The last call of `solve` is the
+/// with the closure asked for; the errors of the faces in a leaf add up. The last call of `solve` is the
 /// last step.
 /// @param seams  edges of the control mesh where parts are tied: both sides are split together
 /// @throws Interrupted between steps

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "limes/core/parallel.h"
 #include "limes/fem/element_points.h"
@@ -30,25 +31,41 @@ double weighted_square(const VectorX& r, const MatrixX& A) {
   return r.dot(A.llt().solve(r));
 }
 
-/// Points of a rule on the sides of the parameter square, side by side, along each as its face turns.
-std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
+/// Adds points of a rule on the sides of the parameter square, side by side, along each as its face turns.
+/// @param pieces  into which each side is cut, each with points of its own
+void add_points_on_sides(const QuadratureRule& rule, int pieces, std::vector<Vec2>& out) {
   constexpr std::array<std::array<double, 2>, 4> corner{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  std::vector<Vec2> out;
   for (std::size_t k = 0; k < 4; ++k)
-    for (const double s : rule.point) {
-      const auto &a = corner[k], &b = corner[(k + 1) % 4];
-      out.emplace_back((1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1]);
-    }
+    for (int piece = 0; piece < pieces; ++piece)
+      for (const double point : rule.point) {
+        const auto &a = corner[k], &b = corner[(k + 1) % 4];
+        const double s = (piece + point) / pieces;
+        out.emplace_back((1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1]);
+      }
+}
+
+/// Whole sides, and after them halves.
+std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
+  std::vector<Vec2> out;
+  add_points_on_sides(rule, 1, out);
+  add_points_on_sides(rule, 2, out);
   return out;
 }
 
-/// What a face brings to its sides.
+/// A side of an element, or half of one in which a vertex hangs: what it has in common with one neighbour.
+struct Piece {
+  int side;
+  Eigen::Index first;  ///< of its points in the table of points_on_sides()
+};
+
+/// What a face brings to its sides, piece by piece.
 struct FaceSides {
-  std::array<Vec2, 4> normal;  ///< outward, of length 1
-  std::array<double, 4> length{};
-  std::vector<Vec3> x;         ///< points, side by side
+  std::vector<Piece> pieces;
+  std::vector<Vec2> normal;  ///< outward, of length 1
+  std::vector<double> length;
+  std::vector<Vec3> x;         ///< points
   std::vector<VectorX> flux;   ///< through the sides, there
-  std::array<MatrixX, 4> A;    ///< stiffness along the normals
+  std::vector<MatrixX> A;      ///< stiffness along the normals
   double h = 0;                ///< square root of the area
   std::vector<VectorX> load;   ///< per area, at the points of the element's table
   std::vector<VectorX> given;  ///< what the flux on the border should be, there; elsewhere unused
@@ -57,13 +74,15 @@ struct FaceSides {
 class ResidualEstimate {
  public:
   ResidualEstimate(const SubdivisionSpace& space, const EnergyDensity& energy,
-                   const LoadDensity& load)
+                   const LoadDensity& load, const HangingFaces* hanging)
       : space_(space),
         energy_(energy),
         load_(load),
+        hanging_(hanging),
         rule_(gauss_rule(side_points)),
         element_of_face_(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1),
         sides_(space.elements().size()) {
+    if (hanging) closed_.emplace(hanging->topology);
     for (int s = 0; s < space.num_shapes(); ++s) {
       on_sides_.push_back(space.sample(s, points_on_sides(rule_)));
       inside_.push_back(space.sample(
@@ -83,7 +102,7 @@ class ResidualEstimate {
     for_each_index(n, [&](std::int64_t i) {
       const int e = static_cast<int>(i);
       double sum = inner_square(e);
-      for (int k = 0; k < 4; ++k)
+      for (int k = 0; k < static_cast<int>(sides(e).pieces.size()); ++k)
         sum += side_square(e, k);
       out[static_cast<std::size_t>(element(e).face.value)] = sum;
     });
@@ -95,6 +114,22 @@ class ResidualEstimate {
     return space_.elements()[static_cast<std::size_t>(e)];
   }
   [[nodiscard]] const FaceSides& sides(int e) const { return sides_[static_cast<std::size_t>(e)]; }
+  [[nodiscard]] const Adjacency& neighbours() const {
+    return closed_ ? *closed_ : space_.geometry().adjacency();
+  }
+
+  /// In the order of the halfedges of neighbours().
+  [[nodiscard]] std::vector<Piece> pieces_of(FaceId face) const {
+    std::vector<Piece> out;
+    constexpr int first_half = 4 * side_points;
+    for (int k = 0; k < 4; ++k)
+      if (!hanging_ || !hanging_->inside(face, k).valid())
+        out.push_back({k, side_points * k});
+      else
+        for (const int half : {0, 1})
+          out.push_back({k, first_half + side_points * (2 * k + half)});
+    return out;
+  }
 
   void measure(int e) {
     FaceSides& out = sides_[static_cast<std::size_t>(e)];
@@ -110,16 +145,17 @@ class ResidualEstimate {
     const MatrixX flux = energy_.gradient(e, table) * D;
     to_physical(table, P, points);
     const auto corners = space_.mesh().topology.face(element(e).face);
-    for (int k = 0; k < 4; ++k) {
-      const auto at = static_cast<std::size_t>(k);
+    out.pieces = pieces_of(element(e).face);
+    for (const Piece& piece : out.pieces) {
+      const auto at = static_cast<std::size_t>(piece.side);
       const Vec2 t =
           (space_.mesh().points[corners[(at + 1) % 4]] - space_.mesh().points[corners[at]])
               .head<2>();
-      out.length[at] = t.norm();
-      out.normal[at] = turn / t.norm() * Vec2(t.y(), -t.x());
-      out.A[at] = stiffness_along(out.normal[at], D);
-      const MatrixX B = gradient_along(out.normal[at], D.rows());
-      for (int i = side_points * k; i < side_points * (k + 1); ++i) {
+      out.length.push_back(piece.first < 4 * side_points ? t.norm() : t.norm() / 2);
+      out.normal.emplace_back(turn / t.norm() * Vec2(t.y(), -t.x()));
+      out.A.push_back(stiffness_along(out.normal.back(), D));
+      const MatrixX B = gradient_along(out.normal.back(), D.rows());
+      for (Eigen::Index i = piece.first; i < piece.first + side_points; ++i) {
         out.x.emplace_back(points.x.row(i).transpose());
         out.flux.emplace_back(B.transpose() * flux.row(i).transpose());
       }
@@ -134,9 +170,10 @@ class ResidualEstimate {
     for (Eigen::Index i = 0; i < points.J.size(); ++i)
       out.load.push_back(load_.on_element(e, points.x.row(i).transpose()));
     out.given.resize(out.flux.size());
-    for (int k = 0; k < 4; ++k) {
-      const HalfedgeId h = space_.mesh().topology.halfedge(element(e).face, k);
-      if (neighbour(h) >= 0) continue;
+    for (int k = 0; k < static_cast<int>(out.pieces.size()); ++k) {
+      if (neighbour(halfedge(e, k)) >= 0) continue;
+      const HalfedgeId h = space_.mesh().topology.halfedge(
+          element(e).face, out.pieces[static_cast<std::size_t>(k)].side);
       for (int i = side_points * k; i < side_points * (k + 1); ++i) {
         const auto at = static_cast<std::size_t>(i);
         VectorX& g = out.given[at];
@@ -147,11 +184,14 @@ class ResidualEstimate {
     }
   }
 
+  /// Of neighbours().
+  [[nodiscard]] HalfedgeId halfedge(int e, int piece) const {
+    return neighbours().topology().halfedge(element(e).face, piece);
+  }
   /// The element on the other side; -1 if there is none.
   [[nodiscard]] int neighbour(HalfedgeId h) const {
-    const Adjacency& adjacency = space_.geometry().adjacency();
-    const HalfedgeId twin = adjacency.twin(h);
-    return twin.valid() ? element_of_face_[static_cast<std::size_t>(adjacency.face(twin).value)]
+    const HalfedgeId twin = neighbours().twin(h);
+    return twin.valid() ? element_of_face_[static_cast<std::size_t>(neighbours().face(twin).value)]
                         : -1;
   }
 
@@ -185,10 +225,9 @@ class ResidualEstimate {
 
   [[nodiscard]] double side_square(int e, int k) const {
     const FaceSides& own = sides(e);
-    const Adjacency& adjacency = space_.geometry().adjacency();
-    const HalfedgeId h = space_.mesh().topology.halfedge(element(e).face, k);
+    const HalfedgeId h = halfedge(e, k);
     const int other = neighbour(h);
-    const int l = other < 0 ? 0 : adjacency.corner_index(adjacency.twin(h));
+    const int l = other < 0 ? 0 : neighbours().corner_index(neighbours().twin(h));
     MatrixX A = own.A[static_cast<std::size_t>(k)];
     if (other >= 0) A = 0.5 * (A + sides(other).A[static_cast<std::size_t>(l)]);
     double sum = 0;
@@ -209,6 +248,8 @@ class ResidualEstimate {
   const SubdivisionSpace& space_;
   const EnergyDensity& energy_;
   const LoadDensity& load_;
+  const HangingFaces* hanging_;
+  std::optional<Adjacency> closed_;  // of its faces
   QuadratureRule rule_;
   std::vector<ElementTable> on_sides_, inside_;  // by shape
   std::vector<int> element_of_face_;
@@ -218,8 +259,8 @@ class ResidualEstimate {
 }  // namespace
 
 std::vector<double> residual_estimate(const SubdivisionSpace& space, const EnergyDensity& energy,
-                                      const LoadDensity& load) {
-  return ResidualEstimate(space, energy, load).squares();
+                                      const LoadDensity& load, const HangingFaces* hanging) {
+  return ResidualEstimate(space, energy, load, hanging).squares();
 }
 
 }  // namespace limes

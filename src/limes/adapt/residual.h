@@ -25,9 +25,11 @@ struct LoadDensity {
 /// side the mean of both faces', inside that of x and y. Without r the sum is exact for functions of second
 /// order on squares, for which r adds to it.
 /// Precondition: as zienkiewicz_zhu().
-/// @return  by face; 0 for holes
+/// @param hanging  if vertices hang in the middles of sides: each half has its own jump
+/// @return         by face; 0 for holes
 [[nodiscard]] std::vector<double> residual_estimate(const SubdivisionSpace& space,
                                                     const EnergyDensity& energy,
-                                                    const LoadDensity& load);
+                                                    const LoadDensity& load,
+                                                    const HangingFaces* hanging = nullptr);
 
 }  // namespace limes

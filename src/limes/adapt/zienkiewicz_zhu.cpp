@@ -1,6 +1,7 @@
 #include "limes/adapt/zienkiewicz_zhu.h"
 
 #include <cmath>
+#include <optional>
 
 #include "limes/core/parallel.h"
 #include "limes/fem/element_points.h"
@@ -55,9 +56,8 @@ LinearFit fit_in(const RecoveryPatch& patch, const std::vector<int>& element,
 }
 
 /// The recovered flux at every corner of every face.
-IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Centres& centres,
-                                       const JoinsFaces& joined) {
-  const Adjacency& adjacency = space.geometry().adjacency();
+IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Adjacency& adjacency,
+                                       const Centres& centres, const JoinsFaces& joined) {
   const std::vector<int> element = element_of_face(space);
   const std::vector<RecoveryPatch> patches = recovery_patches(adjacency, [&](HalfedgeId h) {
     return space.has_element(adjacency.face(h)) &&
@@ -88,8 +88,11 @@ IdArray<HalfedgeId, VectorX> recovered(const SubdivisionSpace& space, const Cent
 }  // namespace
 
 std::vector<double> zienkiewicz_zhu(const SubdivisionSpace& space, const EnergyDensity& energy,
-                                    const JoinsFaces& joined) {
-  const IdArray<HalfedgeId, VectorX> corner = recovered(space, centres_of(space, energy), joined);
+                                    const JoinsFaces& joined, const HangingFaces* hanging) {
+  std::optional<Adjacency> closed;
+  if (hanging) closed.emplace(hanging->topology);
+  const IdArray<HalfedgeId, VectorX> corner = recovered(
+      space, closed ? *closed : space.geometry().adjacency(), centres_of(space, energy), joined);
   const Topology& t = space.mesh().topology;
   std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
   for_each_index(static_cast<std::int64_t>(space.elements().size()), [&](std::int64_t i) {
@@ -106,7 +109,9 @@ std::vector<double> zienkiewicz_zhu(const SubdivisionSpace& space, const EnergyD
       const std::array<double, 4> N{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
       VectorX difference = -(D * gradient.row(q).transpose());
       for (int k = 0; k < 4; ++k)
-        difference += N[static_cast<std::size_t>(k)] * corner[t.halfedge(element.face, k)];
+        difference +=
+            N[static_cast<std::size_t>(k)] *
+            corner[hanging ? hanging->corner(element.face, k) : t.halfedge(element.face, k)];
       sum += std::abs(points.J(q)) * table.weight(q) * difference.dot(inverse.solve(difference));
     }
     out[static_cast<std::size_t>(element.face.value)] = sum;

@@ -2,6 +2,7 @@
 
 #include "limes/adapt/recovery.h"
 #include "limes/space/subdivision_space.h"
+#include "limes/subdiv/hanging_faces.h"
 
 namespace limes {
 
@@ -17,10 +18,13 @@ struct EnergyDensity {
 /// recovered one: integral of (q* - q) . D^-1 (q* - q) [zienkiewicz_1987, eq. 6]. q* is bilinear
 /// between recovered values at the corners.
 /// Precondition: the space is that of the scheme `linear`, on quads.
-/// @param joined  recovery does not cross other edges, such as those between materials
-/// @return        by face; 0 for holes
+/// @param joined   recovery does not cross other edges, such as those between materials
+/// @param hanging  if vertices hang in sides: patches and `joined` are about its halfedges, so that the patch of
+///                 a hanging vertex has the element in whose side it is
+/// @return         by face; 0 for holes
 [[nodiscard]] std::vector<double> zienkiewicz_zhu(const SubdivisionSpace& space,
                                                   const EnergyDensity& energy,
-                                                  const JoinsFaces& joined);
+                                                  const JoinsFaces& joined,
+                                                  const HangingFaces* hanging = nullptr);
 
 }  // namespace limes

@@ -116,11 +116,13 @@ void write_basis(const PatchWeights& w, const Tile& tile, const Mat2& J, int ord
 
 }  // namespace
 
-LimitBasis::LimitBasis(Topology topology, Features features, const Scheme& scheme)
+LimitBasis::LimitBasis(Topology topology, Features features, const Scheme& scheme,
+                       Adjacency::Check check)
     : topology_(std::move(topology)),
-      adjacency_(topology_),
+      adjacency_(topology_, check),
       features_(std::move(features)),
       kinds_(scheme) {
+  LIMES_ASSERT(check == Adjacency::Check::surface || scheme.reach == 0);
   if (!has_exact_limit(scheme))
     throw InputError("the limit surface of {} cannot be evaluated exactly", scheme.name);
   require_faces(topology_, scheme);

@@ -36,8 +36,10 @@ class LimitBasis {
   static constexpr int max_depth = 200;
 
   /// Keeps a copy of the topology and features.
+  /// @param check  `edges` for functions without reach on quads in whose sides vertices hang
   /// @throws InputError if the scheme has no exact limit or does not fit the mesh
-  LimitBasis(Topology topology, Features features, const Scheme& scheme);
+  LimitBasis(Topology topology, Features features, const Scheme& scheme,
+             Adjacency::Check check = Adjacency::Check::surface);
   LimitBasis(const LimitBasis&) = delete;
   LimitBasis& operator=(const LimitBasis&) = delete;
   ~LimitBasis();

@@ -24,13 +24,14 @@ SubdivisionSpace::SubdivisionSpace(Mesh mesh, const Scheme& scheme, BoundaryRule
                                    std::vector<int> regions, const SpaceOptions& options)
     : mesh_(std::move(mesh)), quadrature_(options.quadrature), regions_(std::move(regions)) {
   require_squares(scheme, "finite elements");
-  const Adjacency adjacency(mesh_.topology);
+  const Adjacency adjacency(mesh_.topology, options.check);
   const Features features = resolve_tags(adjacency, mesh_.tags, boundary);
   const bool ghosts = options.ghosts && scheme.reach > 0;  // no use for functions without reach
   extended_ = ghosts ? with_ghosts(adjacency, features, mesh_.points.span())
                      : without_ghosts(adjacency, features);
-  geometry_ = std::make_unique<LimitBasis>(mesh_.topology, features, scheme);
-  field_ = std::make_unique<LimitBasis>(extended_.topology, extended_.features, scheme);
+  geometry_ = std::make_unique<LimitBasis>(mesh_.topology, features, scheme, options.check);
+  field_ =
+      std::make_unique<LimitBasis>(extended_.topology, extended_.features, scheme, options.check);
   add_elements();
   number_dofs();
 }

@@ -19,7 +19,10 @@ struct Element {
 
 struct SpaceOptions {
   bool ghosts = true;  ///< free ghosts beyond the boundary; otherwise the standard functions
-  ElementQuadrature quadrature;
+  ElementQuadrature quadrature = {};
+  /// `edges` for functions without reach on quads in whose sides vertices hang. The space does not know where:
+  /// those sides count as its border, and nothing ties their two sides.
+  Adjacency::Check check = Adjacency::Check::surface;
 };
 
 /// The limit functions of a subdivision surface as a function space: a list of elements, each with

@@ -231,9 +231,7 @@ void resume(const Problem& problem, Forest& forest, const std::string& mesh,
   }
   require_not_ended(file, targets);
   restore(forest, leaves, file);
-  const ForestMesh next = forest_mesh(forest, Closure::conforming);
-  if (static_cast<std::int64_t>(next.mesh.points.size()) * targets.dofs_per_vertex >
-      targets.max_dofs)
+  if (has_too_many_dofs(forest_mesh(forest, targets.closure), targets))
     refuse(file, "has gone beyond max_dofs");
 }
 

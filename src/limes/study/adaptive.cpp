@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 AdaptTargets targets_of(const AdaptSettings& adapt, int dofs_per_vertex) {
   return {.mark = adapt.mark,
           .share = adapt.share,
+          .closure = adapt.closure,
           .error = adapt.target_error,
           .max_dofs = adapt.max_dofs,
           .dofs_per_vertex = dofs_per_vertex,
@@ -37,6 +38,11 @@ std::string percent(double part) {
 
 }  // namespace
 
+SplitUnit split_unit(const Problem& problem) {
+  return problem.adapt && problem.adapt->closure == Closure::hanging ? SplitUnit::faces
+                                                                     : SplitUnit::families;
+}
+
 Problem step_problem(const Problem& problem) {
   Problem out = problem;
   out.mesh.levels = 0;
@@ -45,7 +51,7 @@ Problem step_problem(const Problem& problem) {
 
 AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& scheme,
                            int dofs_per_vertex,
-                           const std::function<StepSolution(const Mesh&)>& solve) {
+                           const std::function<StepSolution(const ForestMesh&)>& solve) {
   const Topology& t = start.topology;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4)
@@ -54,10 +60,9 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
           "levels = 1 makes quads",
           problem.file.string(), problem.adapt->line, f, mesh_path(problem).string(),
           t.face_size(FaceId(f)));
-  Forest forest(start, scheme, {.levels = 0}, SplitUnit::families,
+  Forest forest(start, scheme, {.levels = 0}, split_unit(problem),
                 scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
-  return run_adaptively(problem, forest, {}, dofs_per_vertex,
-                        [&](const ForestMesh& mesh) { return solve(mesh.mesh); });
+  return run_adaptively(problem, forest, {}, dofs_per_vertex, solve);
 }
 
 AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,
@@ -154,8 +159,8 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
       field.points.push_back(mesh.points[v]);
       field.values.push_back(colour);
     }
-    field.triangles.push_back({first, first + 1, first + 2});
-    field.triangles.push_back({first, first + 2, first + 3});
+    for (int k = 2; k < mesh.topology.face_size(FaceId(f)); ++k)
+      field.triangles.push_back({first, first + k - 1, first + k});
   }
   field.quantity = "log_{10} η / η_{max}";
   field.scale = ColourScale{.low = std::log10(lowest_shown), .high = 0};

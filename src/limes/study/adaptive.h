@@ -20,13 +20,16 @@ struct AdaptiveRun {
 /// The problem as each step solves it: on a mesh as it is.
 [[nodiscard]] Problem step_problem(const Problem& problem);
 
+/// Which faces the closure of the problem needs to be split together.
+[[nodiscard]] SplitUnit split_unit(const Problem& problem);
+
 /// Runs the loop on a forest of quadtrees on a mesh.
 /// @param scheme  that places new vertices
 /// @param solve   solves step_problem() on the mesh of a step
 /// @throws InputError for a face that is no quad
-[[nodiscard]] AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& scheme,
-                                         int dofs_per_vertex,
-                                         const std::function<StepSolution(const Mesh&)>& solve);
+[[nodiscard]] AdaptiveRun run_adaptively(
+    const Problem& problem, Mesh start, const Scheme& scheme, int dofs_per_vertex,
+    const std::function<StepSolution(const ForestMesh&)>& solve);
 
 /// The same on a forest that is there.
 /// @param seams  edges of its control mesh where parts are tied

@@ -8,6 +8,7 @@
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
 #include "limes/study/materials.h"
+#include "limes/study/poisson_conditions.h"
 #include "limes/subdiv/drop_faces.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
@@ -65,8 +66,17 @@ void require_unfolded(const PlaneModel& model) {
 
 }  // namespace
 
+ClosedMesh::ClosedMesh(Mesh quads, std::span<const HangingVertex> vertices)
+    : faces(hanging_faces(quads.topology, vertices)),
+      mesh(std::move(quads)),
+      adjacency(faces.topology),
+      hanging(vertices.begin(), vertices.end()) {
+  mesh.topology = faces.topology;
+}
+
 Selection PlaneModel::selection(const std::string& where, int line) const {
-  return {mesh(), adjacency(), limit_points.span(), where, problem.file.string(), line};
+  return {closed ? closed->mesh : mesh(), neighbours(), limit_points.span(), where,
+          problem.file.string(),          line};
 }
 
 FaceId PlaneModel::control_face(FaceId face) const {
@@ -102,37 +112,46 @@ JoinsFaces PlaneModel::same_material() const {
   for (std::size_t e = 0; e < material_of_element.size(); ++e)
     of_face[static_cast<std::size_t>(space->elements()[e].face.value)] = material_of_element[e];
   return [this, of_face = std::move(of_face)](HalfedgeId h) {
-    const Adjacency& a = adjacency();
+    const Adjacency& a = neighbours();
     return of_face[static_cast<std::size_t>(a.face(h).value)] ==
            of_face[static_cast<std::size_t>(a.face(a.twin(h)).value)];
   };
 }
 
-PlaneModel build_model(const Problem& problem, Mesh control) {
-  require_refinable(control, mesh_path(problem).string());
+PlaneModel build_model(const Problem& problem, Mesh control,
+                       std::span<const HangingVertex> hanging) {
   PlaneModel model;
+  if (hanging.empty())
+    require_refinable(control, mesh_path(problem).string());
+  else
+    model.closed = std::make_unique<ClosedMesh>(control, hanging);
+  const auto check = model.closed ? Adjacency::Check::edges : Adjacency::Check::surface;
   model.problem = problem;
   model.boundary = control.tags.boundary.value_or(BoundaryRule::edges);
   model.control = std::move(control);
   if (model.boundary == BoundaryRule::none) drop_boundary_faces(model);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Mesh mesh =
-      refine(model.control, scheme, {.levels = problem.mesh.levels, .boundary = model.boundary});
-  const Adjacency adjacency(mesh.topology);
-  const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme);
+  Mesh mesh = model.closed ? model.control
+                           : refine(model.control, scheme,
+                                    {.levels = problem.mesh.levels, .boundary = model.boundary});
+  const Adjacency adjacency(mesh.topology, check);
+  const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme,
+                         check);
   set_limit_points(mesh, basis, model);
 
-  const std::vector<int> material =
-      materials_of_faces(problem, mesh, adjacency, model.limit_points.span());
+  const std::vector<int> material = materials_of_faces(
+      problem, model.closed ? model.closed->mesh : mesh,
+      model.closed ? model.closed->adjacency : adjacency, model.limit_points.span());
   std::vector<int> regions;
   // bilinear functions kink at every edge
-  if (problem.model.kinks && problem.model.kind != ModelKind::poisson)
+  if (problem.model.kinks && problem.model.kind != ModelKind::poisson && !model.closed)
     for (const int m : material)
       regions.push_back(std::max(m, 0));
   model.space = std::make_unique<SubdivisionSpace>(
       std::move(mesh), scheme, model.boundary, std::move(regions),
       SpaceOptions{problem.model.boundary == FieldBoundary::free,
-                   {problem.model.quadrature_points, problem.model.quadrature_depth}});
+                   {problem.model.quadrature_points, problem.model.quadrature_depth},
+                   check});
   require_unfolded(model);
   for (const Element& e : model.space->elements()) {
     const int m = material[static_cast<std::size_t>(e.face.value)];
@@ -146,6 +165,15 @@ PlaneModel build_model(const Problem& problem, Mesh control) {
     model.C.push_back(model.thickness(e) *
                       plane_elasticity_matrix(model.material(e), model.assumption()));
   return model;
+}
+
+std::vector<ConstraintRow> hanging_rows(const PlaneModel& model) {
+  std::vector<ConstraintRow> out;
+  if (!model.closed) return out;
+  const auto dof = [&](VertexId v) { return dof_of_vertex(*model.space, v); };
+  for (const HangingVertex& h : model.closed->hanging)
+    out.push_back({{dof(h.vertex), -1.0}, {dof(h.ends[0]), 0.5}, {dof(h.ends[1]), 0.5}});
+  return out;
 }
 
 PlaneModel read_model(const Problem& problem, const ModelOptions& options) {

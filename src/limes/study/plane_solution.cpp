@@ -73,14 +73,14 @@ SparseMatrix support_rows(const Constraints& constraints, const Elimination& con
 }
 
 /// Splits the residual K u - f = C^T lambda among the supports, and says what they leave of f. Forces
-/// that only hold the regions of the space together are taken out before. Conditions that two supports
+/// that only hold the regions of the space and hanging vertices in place are taken out before. Conditions that two supports
 /// share are carried by both.
-void set_reactions(const PlaneModel& model, const std::vector<ConstraintRow>& between_regions,
+void set_reactions(const PlaneModel& model, const std::vector<ConstraintRow>& between_elements,
                    const Constraints& constraints, const VectorX& f, const VectorX& residual,
                    PlaneSolution& solution) {
   const Positions x = model.space->position_coefficients();
   solution.imbalance = resultant_of(f, x, model.centre);
-  const Elimination continuous = eliminate(static_cast<int>(residual.size()), between_regions);
+  const Elimination continuous = eliminate(static_cast<int>(residual.size()), between_elements);
   const SparseMatrix C = support_rows(constraints, continuous);
   const VectorX lambda = DirectSolver(SparseMatrix(C * C.transpose()))
                              .solve(C * (continuous.T.transpose() * residual));
@@ -117,9 +117,11 @@ void require_no_supports(const Problem& problem) {
 PlaneSolution solve_supported(const PlaneModel& model) {
   PlaneSolution solution;
   const Constraints constraints = support_constraints(model);
-  const std::vector<ConstraintRow> between_regions = on_both_components(continuity(*model.space));
-  const std::vector<ConstraintRow> rows = joined(between_regions, constraints.rows);
-  require_no_rigid_motion(model, rows);
+  const std::vector<ConstraintRow> continuous = on_both_components(continuity(*model.space));
+  require_no_rigid_motion(model, joined(continuous, constraints.rows));
+  const std::vector<ConstraintRow> between_elements =
+      joined(continuous, on_both_components(hanging_rows(model)));
+  const std::vector<ConstraintRow> rows = joined(between_elements, constraints.rows);
   const VectorX f = assemble_loads(model);
   check_interrupt();
   const SparseMatrix K = elasticity_matrix(*model.space, model.C);
@@ -129,7 +131,7 @@ PlaneSolution solve_supported(const PlaneModel& model) {
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   solution.load_size = f.lpNorm<1>();
   solution.loads = resultant_of(f, model.space->position_coefficients());
-  set_reactions(model, between_regions, constraints, f, internal - f, solution);
+  set_reactions(model, between_elements, constraints, f, internal - f, solution);
   return solution;
 }
 

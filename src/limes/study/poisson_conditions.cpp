@@ -102,13 +102,18 @@ int dof_of_vertex(const SubdivisionSpace& space, VertexId v) {
 std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
   require_quads(model);
   std::vector<HeldVertex> out;
+  std::vector<bool> hangs(static_cast<std::size_t>(model.mesh().points.size()), false);
+  if (model.closed)
+    for (const HangingVertex& h : model.closed->hanging)
+      hangs[static_cast<std::size_t>(h.vertex.value)] = true;
   std::vector<int> held_at(static_cast<std::size_t>(model.space->num_dofs()), -1);
   for (int s = 0; s < static_cast<int>(model.problem.supports.size()); ++s) {
     const SupportSettings& support = model.problem.supports[static_cast<std::size_t>(s)];
     const Selection chosen = model.selection(support.where, support.where_line);
     for (std::size_t v = 0; v < chosen.vertices().size(); ++v) {
       const VertexId vertex(static_cast<std::int64_t>(v));
-      const int dof = chosen.vertices()[v] ? dof_of_vertex(*model.space, vertex) : -1;
+      const bool held = chosen.vertices()[v] && !hangs[v];  // else its ends say what it has
+      const int dof = held ? dof_of_vertex(*model.space, vertex) : -1;
       if (dof < 0) continue;
       const Vec3& x = model.limit_points[vertex];
       const double value = finite(model, support.value, x, support.line);

@@ -32,19 +32,31 @@ SparseMatrix poisson_matrix(const PlaneModel& model) {
   });
 }
 
-/// Values of supports, nothing elsewhere, and one row for each.
+/// Values of supports, as far as they reach, and the rows that fix them and the hanging vertices.
 struct Held {
   VectorX values;
   std::vector<ConstraintRow> rows;
 };
 
-Held held(const PlaneModel& model, const std::vector<HeldVertex>& vertices) {
-  Held out{VectorX::Zero(model.space->num_dofs()), {}};
+Held held(const PlaneModel& model, const std::vector<HeldVertex>& vertices,
+          const std::vector<ConstraintRow>& hanging) {
+  Held out{VectorX::Zero(model.space->num_dofs()), hanging};
   for (const HeldVertex& v : vertices) {
     out.values(v.dof) = v.value;
     out.rows.push_back({{v.dof, 1.0}});
   }
+  for (const ConstraintRow& row : hanging)
+    for (std::size_t k = 1; k < row.size(); ++k)
+      out.values(row[0].first) += row[k].second * out.values(row[k].first);
   return out;
+}
+
+/// Forces at hanging vertices go to the ends of their sides.
+VectorX carried_to_ends(VectorX f, const std::vector<ConstraintRow>& hanging) {
+  for (const ConstraintRow& row : hanging)
+    for (std::size_t k = 1; k < row.size(); ++k)
+      f(row[k].first) += row[k].second * f(row[0].first);
+  return f;
 }
 
 void set_reactions(const PlaneModel& model, const std::vector<HeldVertex>& vertices,
@@ -74,7 +86,8 @@ MatrixX gradients(const PlaneModel& model, const PoissonSolution& solution, int 
 PoissonSolution solve_poisson(const PlaneModel& model) {
   PoissonSolution solution;
   const std::vector<HeldVertex> vertices = held_vertices(model);
-  const Held fixed = held(model, vertices);
+  const std::vector<ConstraintRow> hanging = hanging_rows(model);
+  const Held fixed = held(model, vertices, hanging);
   const VectorX f = poisson_loads(model);
   check_interrupt();
   const SparseMatrix K = poisson_matrix(model);
@@ -94,7 +107,7 @@ PoissonSolution solve_poisson(const PlaneModel& model) {
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   solution.load = f.sum();
   solution.load_size = f.lpNorm<1>();
-  set_reactions(model, vertices, internal - f, solution);
+  set_reactions(model, vertices, carried_to_ends(internal - f, hanging), solution);
   return solution;
 }
 

@@ -349,9 +349,11 @@ void ProblemReader::read_adapt() {
   for (const TableReader& table : tables("adapt")) {
     AdaptSettings& adapt = problem_.adapt.emplace();
     adapt.line = table.line();
-    std::string estimator, mark;
+    std::string estimator, mark, closure;
     table.read("estimator", estimator);
     if (estimator == "residual") adapt.estimator = EstimatorKind::residual;
+    table.read("closure", closure);
+    if (closure == "hanging") adapt.closure = Closure::hanging;
     table.read("mark", mark);
     adapt.mark = mark == "maximum"    ? MarkingKind::maximum
                  : mark == "fraction" ? MarkingKind::fraction
@@ -377,6 +379,10 @@ void ProblemReader::read_adapt() {
       fail(table.place(),
            "[adapt] smooths meshes on exact surfaces only; right is [mesh] smoothing = 0 or "
            "placement = \"exact\"");
+    if (problem_.mesh.smoothing > 0 && adapt.closure == Closure::hanging)
+      fail(table.place("closure"),
+           "vertices that hang in sides do not slide; right is \"conforming\" or [mesh] smoothing "
+           "= 0");
     if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
       fail(table.place(),
            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");

@@ -10,6 +10,7 @@
 #include "limes/adapt/marking.h"
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
+#include "limes/subdiv/closure.h"
 
 namespace limes {
 
@@ -129,6 +130,7 @@ enum class EstimatorKind { zienkiewicz_zhu, residual };
 /// Refinement where the error is.
 struct AdaptSettings {
   EstimatorKind estimator = EstimatorKind::zienkiewicz_zhu;
+  Closure closure = Closure::conforming;  ///< or hanging
   MarkingKind mark = MarkingKind::doerfler;
   double share = 0.5;                      ///< of the marking, in (0, 1]
   std::optional<double> target_error;      ///< relative to the energy norm, in (0, 1)

@@ -308,6 +308,14 @@ constexpr std::array keys{
             "how the error in the energy norm is estimated: by recovered fluxes or stresses, or by "
             "what is left unbalanced"},
     Key{.table = "adapt",
+        .name = "closure",
+        .type = ValueType::name,
+        .choices = "conforming hanging",
+        .initial = "conforming",
+        .help = "where finer elements meet coarser ones: the coarser are cut into quads, or "
+                "vertices of "
+                "the finer hang in their sides, held by conditions"},
+    Key{.table = "adapt",
         .name = "mark",
         .type = ValueType::name,
         .choices = "doerfler maximum fraction",

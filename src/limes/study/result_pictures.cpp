@@ -75,14 +75,14 @@ void ResultPictures::add(const FieldCell& cell, int n) {
 /// Of two neighbours, the one whose halfedge comes first has the border.
 void ResultPictures::add_borders(const FieldCell& cell, int first, int n) {
   const SubdivisionSpace& space = *result_.model.space;
-  const Adjacency& adjacency = result_.model.adjacency();
+  const Adjacency& adjacency = result_.model.neighbours();
   const Element& element = space.elements()[static_cast<std::size_t>(cell.element)];
   for (const TileSide& side : sides_of(cell.tile, n)) {
     const HalfedgeId h = edge_at(space.mesh().topology, element, side.number);
     if (!side.on_element || !h.valid()) continue;
-    const HalfedgeId twin = adjacency.twin(h);
+    const HalfedgeId own = result_.model.among_neighbours(h), twin = adjacency.twin(own);
     const bool outer = !twin.valid() || !space.has_element(adjacency.face(twin));
-    if (!outer && twin < h) continue;
+    if (!outer && twin < own && !result_.model.closed) continue;
     for (int k = 0, v = first + side.start; k < n; ++k, v += side.step) {
       borders_.push_back({v, v + side.step});
       if (outer) outline_.push_back({v, v + side.step});

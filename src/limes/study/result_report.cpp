@@ -132,7 +132,9 @@ void add_pictures(const PlaneResult& result, Figures& figures, HtmlReport& repor
   const Mesh& control = result.adaptive ? result.adaptive->start : model.control;
   figures.add(control_mesh_figure(control, {.title = "Control mesh"}), "control-mesh.png");
   constexpr int most_faces = 20'000;
-  if (model.problem.mesh.levels > 0 && model.mesh().topology.num_faces() <= most_faces)
+  // The section on refinement shows meshes in whose sides vertices hang.
+  if (model.problem.mesh.levels > 0 && !model.closed &&
+      model.mesh().topology.num_faces() <= most_faces)
     figures.add(control_mesh_figure(model.mesh(), {.title = "Mesh of the analysis"}),
                 "analysis-mesh.png");
   const ResultPictures pictures(result);

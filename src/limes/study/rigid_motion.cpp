@@ -74,7 +74,7 @@ class RigidMotions {
 
   void find_bodies() {
     const SubdivisionSpace& space = *model_.space;
-    const Adjacency& adjacency = model_.adjacency();
+    const Adjacency& adjacency = model_.neighbours();
     Sets faces(space.mesh().topology.num_faces());
     for (int e = 0; e < adjacency.num_edges(); ++e) {
       const HalfedgeId h = adjacency.halfedge(EdgeId(e));
@@ -223,7 +223,7 @@ class RigidMotions {
   }
 
   [[nodiscard]] bool is_hinge(VertexId v) const {
-    const Adjacency& adjacency = model_.adjacency();
+    const Adjacency& adjacency = model_.neighbours();
     int first = -1;
     HalfedgeId h = adjacency.ring_start(v);
     for (int i = 0; h.valid() && i < adjacency.num_ring_faces(v); ++i, h = adjacency.ring_next(h)) {

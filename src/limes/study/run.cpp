@@ -57,6 +57,16 @@ void require_kept_faces(const Problem& problem, const Tags& tags) {
         problem.file.string(), problem.adapt->line, mesh_path(problem).string());
 }
 
+void require_no_holes(const Problem& problem, const Tags& tags) {
+  if (problem.adapt->closure == Closure::hanging && !tags.holes.empty())
+    throw InputError(
+        "{}:{}: [adapt] closure = \"hanging\" knows no hole faces, and face {} of {} is one; right "
+        "is "
+        "\"conforming\", or a mesh without them",
+        problem.file.string(), problem.adapt->line, tags.holes.front().value,
+        mesh_path(problem).string());
+}
+
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
 /// those of the last step.
 template <class Result, class Build, class Solve>
@@ -66,15 +76,16 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
   require_kept_faces(problem, file.mesh.tags);
+  require_no_holes(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
   const Problem step = step_problem(problem);
   int number = 0;
-  result.adaptive =
-      run_adaptively(problem, std::move(start), scheme, dofs_per_vertex, [&](const Mesh& mesh) {
+  result.adaptive = run_adaptively(
+      problem, std::move(start), scheme, dofs_per_vertex, [&](const ForestMesh& mesh) {
         if (on_phase)
-          on_phase(fmt::format("step {}, {} faces", number++, mesh.topology.num_faces()));
-        result.model = build(step, mesh);
+          on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
+        result.model = build(step, mesh.mesh, mesh.hanging);
         result.solution = solve(result.model);
         return StepSolution{
             result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
@@ -101,7 +112,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
         ForestMesh smoothed = mesh;
         if (problem.mesh.smoothing > 0)
           smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, tied, smoothed);
-        result.model = shell_model_on(problem, std::move(smoothed.mesh), tied);
+        result.model = shell_model_on(problem, std::move(smoothed.mesh), tied, mesh.hanging);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);
         return StepSolution{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),

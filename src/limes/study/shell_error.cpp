@@ -173,7 +173,7 @@ std::vector<double> estimate_error(const ShellModel& model, const ShellSolution&
     const ShellQuad quad = model.quad(f);
     std::array<ShellResultants, 4> corner;
     for (int k = 0; k < 4; ++k)
-      corner[static_cast<std::size_t>(k)] = at_corner[t.halfedge(f, k)];
+      corner[static_cast<std::size_t>(k)] = at_corner[model.corner(f, k)];
     const double gauss = 1 / std::sqrt(3.0);
     for (const double r : {-gauss, gauss})
       for (const double s : {-gauss, gauss}) {

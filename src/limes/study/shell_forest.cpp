@@ -1,6 +1,7 @@
 #include "limes/study/shell_forest.h"
 
 #include "limes/core/error.h"
+#include "limes/study/adaptive.h"
 #include "limes/study/shell_model.h"
 #include "limes/study/shell_placement.h"
 #include "limes/subdiv/refine.h"
@@ -9,13 +10,15 @@
 namespace limes {
 namespace {
 
-/// Uniform steps before the forest takes over: it needs quads, and splits those of a seam in any case.
+/// Uniform steps before the forest takes over: it needs quads, and splits those of a seam in any case, which
+/// a closure without hanging nodes might not do on both sides.
 int levels_before(const Problem& problem, const Mesh& control) {
   const Topology& t = control.topology;
   int before = 0;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4) before = 1;
-  const int least = before + (problem.seams.empty() ? 0 : 1);
+  const int least =
+      before + (problem.seams.empty() || split_unit(problem) == SplitUnit::faces ? 0 : 1);
   if (problem.mesh.levels < least)
     throw InputError("{}:{}: [adapt] needs levels of {} or more here{}", problem.file.string(),
                      problem.mesh.line, least,
@@ -41,7 +44,7 @@ ShellForest shell_forest(const Problem& problem, const Mesh& control) {
                scheme, options);
   options.levels = 0;
   ShellForest out{
-      Forest(start, exact ? find_scheme("linear") : scheme, options, SplitUnit::families, {},
+      Forest(start, exact ? find_scheme("linear") : scheme, options, split_unit(problem), {},
              exact ? exact_placement(problem, control, before) : Placement()),
       refined_seams(control, seams_of(problem, control), before),
       curve_edges(problem, control, before), wanted_areas(control, before)};

@@ -93,7 +93,7 @@ class ShellLoad {
     for (const HalfedgeId h : edges) {
       const FaceId face = model_.adjacency->face(h);
       const ShellQuad quad = model_.quad(face);
-      const int side = model_.adjacency->corner_index(h);
+      const int side = model_.faces.side(face, h);
       const double longer = model_.problem.mesh.exact ? arc_over_chord(quad, side) : 1;
       model_.scatter(
           face,

@@ -30,24 +30,39 @@ void require_quads(const Mesh& mesh, const std::string& file) {
           file, f, t.face_size(FaceId(f)));
 }
 
-/// Normal of the bilinear face at each of its corners.
-IdArray<HalfedgeId, Vec3> face_normals(const Mesh& mesh, const std::string& file) {
-  const Topology& t = mesh.topology;
+/// Area vectors of the bilinear face at its corners; between them they are linear.
+std::array<Vec3, 4> corner_areas(const ShellModel& model, FaceId f, const std::string& file) {
+  const auto corner = [&](int k) {
+    return model.mesh->points[model.mesh->topology.corner(model.corner(f, k % 4))];
+  };
+  std::array<Vec3, 4> out;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 a = corner(i + 1) - corner(i), b = corner(i + 3) - corner(i);
+    const Vec3 n = a.cross(b);
+    if (!(n.norm() > 1e-12 * a.norm() * b.norm()))
+      throw InputError(
+          "{}: face {} of the refined mesh has no normal at its corner {}: its sides "
+          "there are parallel",
+          file, f.value, i);
+    out[static_cast<std::size_t>(i)] = n;
+  }
+  return out;
+}
+
+/// Normal of the bilinear face at each of its corners, and where nodes hang in its sides.
+IdArray<HalfedgeId, Vec3> face_normals(const ShellModel& model, const std::string& file) {
+  const Topology& t = model.mesh->topology;
   IdArray<HalfedgeId, Vec3> out(static_cast<std::size_t>(t.num_corners()));
-  for (int f = 0; f < t.num_faces(); ++f)
+  for (int f = 0; f < t.num_faces(); ++f) {
+    const std::array<Vec3, 4> area = corner_areas(model, FaceId(f), file);
     for (int i = 0; i < 4; ++i) {
-      const auto corner = [&](int k) {
-        return mesh.points[t.face(FaceId(f))[static_cast<std::size_t>(k % 4)]];
-      };
-      const Vec3 a = corner(i + 1) - corner(i), b = corner(i + 3) - corner(i);
-      const Vec3 n = a.cross(b);
-      if (!(n.norm() > 1e-12 * a.norm() * b.norm()))
-        throw InputError(
-            "{}: face {} of the refined mesh has no normal at its corner {}: its sides "
-            "there are parallel",
-            file, f, i);
-      out[t.halfedge(FaceId(f), i)] = n.normalized();
+      const Vec3 &n = area[static_cast<std::size_t>(i)],
+                 &next = area[static_cast<std::size_t>((i + 1) % 4)];
+      out[model.corner(FaceId(f), i)] = n.normalized();
+      const HalfedgeId between = model.faces.inside(FaceId(f), i);
+      if (between.valid()) out[between] = (n + next).normalized();
     }
+  }
   return out;
 }
 
@@ -164,13 +179,24 @@ void set_materials(ShellModel& model) {
                        problem.file.string(), f);
 }
 
+/// Makes hanging vertices corners of the faces in whose sides they are.
+void set_mesh(ShellModel& model, Mesh mesh, std::span<const HangingVertex> hanging) {
+  model.hangs = IdArray<VertexId, char>(static_cast<std::size_t>(mesh.points.size()), 0);
+  for (const HangingVertex& h : hanging)
+    model.hangs[h.vertex] = 1;
+  model.faces = hanging_faces(mesh.topology, hanging);
+  mesh.topology = model.faces.topology;
+  model.mesh = std::make_unique<Mesh>(std::move(mesh));
+}
+
 /// @param normal  at each corner; empty: those of the faces
 ShellModel model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied,
-                    const IdArray<HalfedgeId, Vec3>& normal) {
-  const IdArray<HalfedgeId, Vec3> flat = face_normals(mesh, mesh_path(problem).string());
+                    const IdArray<HalfedgeId, Vec3>& normal,
+                    std::span<const HangingVertex> hanging) {
   ShellModel model;
   model.problem = problem;
-  model.mesh = std::make_unique<Mesh>(std::move(mesh));
+  set_mesh(model, std::move(mesh), hanging);
+  const IdArray<HalfedgeId, Vec3> flat = face_normals(model, mesh_path(problem).string());
   model.adjacency = std::make_unique<Adjacency>(model.mesh->topology);
   set_size(model);
   require_coincident(problem, *model.mesh, tied, model.diagonal);
@@ -185,7 +211,7 @@ ShellModel model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdg
 ShellQuad ShellModel::quad(FaceId face) const {
   ShellQuad out;
   for (int i = 0; i < 4; ++i) {
-    const HalfedgeId h = mesh->topology.halfedge(face, i);
+    const HalfedgeId h = corner(face, i);
     out.x[static_cast<std::size_t>(i)] = mesh->points[mesh->topology.corner(h)];
     out.director[static_cast<std::size_t>(i)] = director[h];
   }
@@ -202,15 +228,13 @@ ShellSection ShellModel::section(FaceId face) const {
 ShellVector ShellModel::unknowns(FaceId face, const VectorX& u) const {
   ShellVector out;
   for (int i = 0; i < 4; ++i)
-    out.segment<6>(6 * i) =
-        u.segment<6>(6 * node[mesh->topology.corner(mesh->topology.halfedge(face, i))].value);
+    out.segment<6>(6 * i) = u.segment<6>(6 * node_at(face, i).value);
   return out;
 }
 
 void ShellModel::scatter(FaceId face, const ShellVector& element, VectorX& out) const {
   for (int i = 0; i < 4; ++i)
-    out.segment<6>(6 * node[mesh->topology.corner(mesh->topology.halfedge(face, i))].value) +=
-        element.segment<6>(6 * i);
+    out.segment<6>(6 * node_at(face, i).value) += element.segment<6>(6 * i);
 }
 
 void require_shell_control(const Problem& problem, const Mesh& control) {
@@ -228,8 +252,9 @@ void require_shell_control(const Problem& problem, const Mesh& control) {
         file, control.tags.holes.front().value);
 }
 
-ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied) {
-  return model_on(problem, std::move(mesh), tied, {});
+ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied,
+                          std::span<const HangingVertex> hanging) {
+  return model_on(problem, std::move(mesh), tied, {}, hanging);
 }
 
 ShellModel build_shell_model(const Problem& problem, Mesh control) {
@@ -250,7 +275,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   if (scheme.patch == LimitPatch::bicubic && !problem.mesh.exact)
     normal = move_to_limit(mesh, scheme, boundary, file);
   const auto tied = refined_seams(control, seams_of(problem, control), levels);
-  ShellModel model = model_on(problem, std::move(mesh), tied, normal);
+  ShellModel model = model_on(problem, std::move(mesh), tied, normal, {});
   model.control = std::move(control);
   return model;
 }

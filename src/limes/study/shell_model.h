@@ -8,6 +8,7 @@
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/seams.h"
 #include "limes/study/control_mesh.h"
+#include "limes/subdiv/hanging_faces.h"
 
 namespace limes {
 
@@ -17,7 +18,7 @@ namespace limes {
 struct ShellModel {
   Problem problem;
   Mesh control;                          ///< as in the file
-  std::unique_ptr<Mesh> mesh;            ///< quads; points are the nodes
+  std::unique_ptr<Mesh> mesh;            ///< points are the nodes; faces as in `faces`
   std::unique_ptr<Adjacency> adjacency;  ///< of *mesh
 
   /// Director at each corner of each face; one and the same around a smooth node.
@@ -26,12 +27,22 @@ struct ShellModel {
   IdArray<VertexId, char> smooth;
   /// The vertex whose unknowns a vertex has: the lowest one tied to it by a seam, else itself.
   IdArray<VertexId, VertexId> node;
+  /// Nodes inside a side of an element, whose unknowns follow from those of its ends (shell_hanging.h).
+  IdArray<VertexId, char> hangs;
   std::vector<int> material_of_face;  ///< index in problem.materials
   double diagonal = 0;                ///< of the box around the nodes
   Vec3 centre = Vec3::Zero();         ///< of that box
   std::vector<std::string> remarks;
 
+  /// The faces of *mesh: elements, in whose sides nodes hang.
+  HangingFaces faces;
+
   [[nodiscard]] int num_unknowns() const { return 6 * mesh->points.size(); }
+  /// Corner i of 4 of an element.
+  [[nodiscard]] HalfedgeId corner(FaceId face, int i) const { return faces.corner(face, i); }
+  [[nodiscard]] VertexId node_at(FaceId face, int i) const {
+    return node[mesh->topology.corner(corner(face, i))];
+  }
   [[nodiscard]] ShellQuad quad(FaceId face) const;
   [[nodiscard]] ShellSection section(FaceId face) const;
   /// Unknowns of an element.
@@ -50,10 +61,13 @@ struct ShellModel {
 [[nodiscard]] ShellModel build_shell_model(const Problem& problem, Mesh control);
 
 /// The same for a mesh whose vertices are the nodes, as they are.
-/// @param tied  its edges on seams
+/// @param mesh     of quads
+/// @param tied     its edges on seams
+/// @param hanging  its vertices inside sides
 /// @throws InputError as above
 [[nodiscard]] ShellModel shell_model_on(const Problem& problem, Mesh mesh,
-                                        const std::vector<TiedEdge>& tied);
+                                        const std::vector<TiedEdge>& tied,
+                                        std::span<const HangingVertex> hanging = {});
 
 /// @throws InputError for what no mesh can be made of for kind "mitc4": defects, holes, the scheme
 void require_shell_control(const Problem& problem, const Mesh& control);

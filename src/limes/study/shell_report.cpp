@@ -50,8 +50,8 @@ Figure displacement_figure(const ShellResult& result) {
     field.values.push_back(result.solution.u.segment<3>(6 * v).norm());
   for (int f = 0; f < mesh.topology.num_faces(); ++f) {
     const auto c = mesh.topology.face(FaceId(f));
-    field.triangles.push_back({c[0].value, c[1].value, c[2].value});
-    field.triangles.push_back({c[0].value, c[2].value, c[3].value});
+    for (std::size_t k = 2; k < c.size(); ++k)
+      field.triangles.push_back({c[0].value, c[k - 1].value, c[k].value});
   }
   field.quantity = "|u|";
   field.unit = result.model.problem.units.length;

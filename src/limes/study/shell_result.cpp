@@ -98,7 +98,7 @@ void write_result_vtu(const ByteSink& sink, const ShellResult& result) {
     std::vector<std::int64_t> ids;
     for (const VertexId v : t.face(FaceId(f)))
       ids.push_back(v.value);
-    grid.add_cell(VtkCell::quad, ids);
+    grid.add_cell(ids.size() == 4 ? VtkCell::quad : VtkCell::polygon, ids);
     const ShellSection section = model.section(FaceId(f));
     cells.add(mitc4_resultants(model.quad(FaceId(f)), section,
                                model.unknowns(FaceId(f), result.solution.u), Vec2::Zero()),

@@ -7,6 +7,7 @@
 #include "limes/core/parallel.h"
 #include "limes/limit/closest_point.h"
 #include "limes/solve/linear.h"
+#include "limes/study/shell_hanging.h"
 #include "limes/study/shell_loads.h"
 #include "limes/study/shell_supports.h"
 #include "limes/subdiv/schemes.h"
@@ -39,7 +40,7 @@ SparseMatrix row_matrix(const std::vector<ConstraintRow>& rows, int num_unknowns
   return C;
 }
 
-/// Splits the residual K u - f = C^T lambda among the supports. Conditions that two supports share are
+/// Splits the residual H^T (K u - f) = C^T lambda, carried from hanging nodes, among the supports. Conditions that two supports share are
 /// carried by both.
 void set_reactions(const ShellModel& model, const ShellConstraints& supports, const VectorX& f,
                    const VectorX& residual, ShellSolution& solution) {
@@ -78,6 +79,25 @@ void require_nearly_convex(const ShellModel& model) {
   }
 }
 
+/// The elements as a mesh of quads; if nodes hang in sides, each with corners of its own.
+struct ElementQuads {
+  Topology topology;
+  std::vector<Vec3> points;
+
+  explicit ElementQuads(const ShellModel& model)
+      : topology(model.mesh->topology), points(model.mesh->points.vector()) {
+    if (topology.uniform_face_size() == 4) return;
+    points.clear();
+    std::vector<VertexId> corners;
+    for (int f = 0; f < model.mesh->topology.num_faces(); ++f)
+      for (const Vec3& x : model.quad(FaceId(f)).x) {
+        corners.emplace_back(static_cast<int>(points.size()));
+        points.push_back(x);
+      }
+    topology = Topology(static_cast<int>(points.size()), 4, std::move(corners));
+  }
+};
+
 double load_size(const VectorX& f) {
   double sum = 0;
   for (Eigen::Index v = 0; v < f.size() / 6; ++v)
@@ -99,12 +119,10 @@ SparseMatrix shell_matrix(const ShellModel& model) {
   entries.reserve(static_cast<std::size_t>(n) * 576);
   for (int f = 0; f < n; ++f)
     for (int i = 0; i < 24; ++i)
-      for (int j = 0; j < 24; ++j) {
-        const auto corners = t.face(FaceId(f));
-        entries.emplace_back(6 * model.node[corners[static_cast<std::size_t>(i / 6)]].value + i % 6,
-                             6 * model.node[corners[static_cast<std::size_t>(j / 6)]].value + j % 6,
+      for (int j = 0; j < 24; ++j)
+        entries.emplace_back(6 * model.node_at(FaceId(f), i / 6).value + i % 6,
+                             6 * model.node_at(FaceId(f), j / 6).value + j % 6,
                              element[static_cast<std::size_t>(f)](i, j));
-      }
   SparseMatrix K(model.num_unknowns(), model.num_unknowns());
   K.setFromTriplets(entries.begin(), entries.end());
   return K;
@@ -113,8 +131,10 @@ SparseMatrix shell_matrix(const ShellModel& model) {
 ShellSolution solve_shell(const ShellModel& model) {
   if (model.problem.model.assumed_membrane) require_nearly_convex(model);
   ShellSolution solution;
-  const ShellConstraints supports = shell_support_constraints(model);
+  ShellConstraints supports = shell_support_constraints(model);
   require_no_rigid_motion(model, supports);
+  const SparseMatrix H = hanging_transfer(model);
+  supports.rows = carried(supports.rows, H);
   std::vector<ConstraintRow> rows = drilling_constraints(model);
   rows.insert(rows.end(), supports.rows.begin(), supports.rows.end());
   const VectorX f = assemble_shell_loads(model);
@@ -122,21 +142,23 @@ ShellSolution solve_shell(const ShellModel& model) {
   const SparseMatrix K = shell_matrix(model);
   const Elimination fix = eliminate(model.num_unknowns(), rows);
   check_interrupt();
-  const SparseMatrix reduced = fix.T.transpose() * K * fix.T;
-  const VectorX load = fix.T.transpose() * f;
+  const SparseMatrix T = H * fix.T;
+  const SparseMatrix reduced = T.transpose() * K * T;
+  const VectorX load = T.transpose() * f;
   const DirectSolver solver(reduced);
   const MatrixX free = solver.solve(load);
   solution.num_unknowns = fix.num_free();
   for (int v = 0; v < model.smooth.size(); ++v)
-    solution.num_kink_nodes += !model.smooth[VertexId(v)] && model.node[VertexId(v)] == VertexId(v);
+    solution.num_kink_nodes += !model.smooth[VertexId(v)] && !model.hangs[VertexId(v)] &&
+                               model.node[VertexId(v)] == VertexId(v);
   solution.solver_residual = solver.relative_residual(free, load);
   solution.rounding_floor = solver.rounding_floor(free, load);
-  solution.u = fix.T * free;
+  solution.u = T * free;
   const VectorX internal = K * solution.u;
   solution.strain_energy = 0.5 * solution.u.dot(internal);
   solution.load_size = load_size(f);
   solution.loads = resultant_of(model, f, Vec3::Zero());
-  set_reactions(model, supports, f, internal - f, solution);
+  set_reactions(model, supports, f, H.transpose() * (internal - f), solution);
   for (int v = 0; v < model.node.size(); ++v)  // tied vertices show what their node does
     solution.u.segment<6>(6 * v) =
         VectorX(solution.u.segment<6>(6 * model.node[VertexId(v)].value));
@@ -156,10 +178,11 @@ std::vector<SolutionCheck> check_solution(const ShellModel& model, const ShellSo
 std::vector<ShellProbe> probe(const ShellModel& model, const ShellSolution& solution) {
   std::vector<ShellProbe> out;
   if (model.problem.probes.empty()) return out;
-  const LimitBasis basis(model.mesh->topology,
-                         resolve_tags(*model.adjacency, Tags(), BoundaryRule::edges),
+  const ElementQuads quads(model);
+  const LimitBasis basis(quads.topology,
+                         resolve_tags(Adjacency(quads.topology), Tags(), BoundaryRule::edges),
                          find_scheme("linear"));
-  const SurfaceTree tree(basis, model.mesh->points.span());
+  const SurfaceTree tree(basis, quads.points);
   for (const ProbeSettings& p : model.problem.probes) {
     const ClosestHit hit = closest_point(tree, p.at);
     const ShellVector u = model.unknowns(hit.face, solution.u);

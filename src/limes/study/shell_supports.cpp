@@ -217,11 +217,11 @@ std::vector<ConstraintRow> drilling_constraints(const ShellModel& model) {
   SupportRows rows(model, out);
   for (int v = 0; v < model.mesh->points.size(); ++v) {
     const HalfedgeId h = model.adjacency->ring_start(VertexId(v));
-    const bool own = model.node[VertexId(v)] == VertexId(v);
+    const bool own = model.node[VertexId(v)] == VertexId(v) && !model.hangs[VertexId(v)];
     if (h.valid() && own && model.smooth[VertexId(v)])
       rows.rotation(VertexId(v), model.director[h]);
     if (h.valid() && own) continue;
-    for (int i = 0; i < 6; ++i)  // without faces, or with another's unknowns
+    for (int i = 0; i < 6; ++i)  // without faces, with another's unknowns, or hanging
       out.push_back({{6 * v + i, 1.0}});
   }
   return out;

@@ -34,7 +34,7 @@ struct ShellConstraints {
 /// @throws InputError as shell_support_constraints()
 [[nodiscard]] std::vector<std::string> remarks_on_symmetry(const ShellModel& model);
 
-/// theta . V = 0 at smooth nodes: five unknowns remain.
+/// theta . V = 0 at smooth nodes: five unknowns remain. None at hanging nodes, see hanging_transfer().
 [[nodiscard]] std::vector<ConstraintRow> drilling_constraints(const ShellModel& model);
 
 /// @throws InputError naming a piece of the mesh and a motion that the supports leave free

@@ -40,16 +40,17 @@ std::vector<ConstraintRow> held(const PlaneModel& model, const Selection& chosen
 }  // namespace
 
 std::vector<HalfedgeId> selected_sides(const PlaneModel& model, const Selection& chosen) {
-  const Adjacency& adjacency = model.adjacency();
+  const Adjacency &adjacency = model.adjacency(), &neighbours = model.neighbours();
   const std::vector<HalfedgeId> boundary = chosen.boundary_edges();  // ascending
   const auto selected = [&](VertexId v) {
     return chosen.vertices()[static_cast<std::size_t>(v.value)];
   };
   std::vector<HalfedgeId> sides;
   for (const HalfedgeId h : domain_sides(*model.space)) {
-    const bool wanted = adjacency.twin(h).valid()
-                            ? selected(adjacency.from(h)) && selected(adjacency.to(h))
-                            : std::binary_search(boundary.begin(), boundary.end(), h);
+    const HalfedgeId side = model.among_neighbours(h), twin = neighbours.twin(side);
+    if (twin.valid() && model.space->has_element(neighbours.face(twin))) continue;  // vertices hang
+    const bool wanted = twin.valid() ? selected(adjacency.from(h)) && selected(adjacency.to(h))
+                                     : std::binary_search(boundary.begin(), boundary.end(), side);
     if (wanted) sides.push_back(h);
   }
   return sides;

@@ -3,16 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "limes/subdiv/closure.h"
 #include "limes/subdiv/forest.h"
 
 namespace limes {
-
-/// What is done where leaves of different levels meet.
-enum class Closure {
-  conforming,  ///< only quads, which needs SplitUnit::families, or only triangles; no vertex inside a side
-  triangles,  ///< triangles in the coarser leaf; no vertex inside a side
-  hanging     ///< nothing: vertices inside sides remain
-};
 
 /// A vertex inside a side of a leaf. Fields that are linear along sides are continuous where the
 /// value at the vertex is the mean of those at the ends.
