@@ -275,6 +275,34 @@ TEST(AdaptiveRun, ResultsHaveTheSteps) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
 }
 
+// The spaces are nested, so by Galerkin's orthogonality the square of the difference to the finer solution is
+// twice the difference of the energies.
+TEST(AdaptiveRun, ErrorAgainstAFinerSolutionIsThatOfTheEnergies) {
+  const auto energy = [](const std::string& more) {
+    return run_scalar("scheme = \"linear\"\nlevels = " + more + R"toml(
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "boundary"
+value = 0
+[[load]]
+where = "all"
+source = 1
+)toml" + (more[0] == '1' ? "[adapt]\nmax_steps = 2\nreference_levels = 2\n" : ""),
+                      "v 0 0 0\nv 1 0 0\nv 1.4 1.2 0\nv 0.4 1.2 0\nf 1 2 3 4\n");
+  };
+  const PoissonResult result = energy("1");
+  ASSERT_EQ(result.adaptive->history.steps.size(), 2U);
+  const AdaptStep& first = result.adaptive->history.steps[0];
+  const double difference = energy("3").solution.strain_energy - first.strain_energy;
+  EXPECT_NEAR(*first.finer_error * *first.finer_error / (2 * difference), 1, 1e-9);
+  EXPECT_DOUBLE_EQ(*first.finer_effectivity, first.error_estimate / *first.finer_error);
+  const auto step = result_json(result, false)["steps"][0];
+  EXPECT_EQ(step["error_against_finer"], *first.finer_error);
+  EXPECT_EQ(step["effectivity_against_finer"], *first.finer_effectivity);
+}
+
 // One of two squares is a hole.
 TEST(AdaptiveRun, HolesAreNoElements) {
   const PoissonResult result = run_scalar(R"toml(scheme = "linear"

@@ -138,6 +138,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.adapt->max_steps, 12);
   EXPECT_EQ(p.adapt->max_seconds, 60);
   EXPECT_EQ(p.adapt->reference_energy, 1.5);
+  EXPECT_EQ(p.adapt->reference_levels, 2);
   EXPECT_EQ(p.adapt->line, 26);
 }
 
@@ -245,7 +246,8 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"adapt mark", adapt.mark == MarkingKind::doerfler ? "doerfler" : "?"},
       {"adapt share", fmt::format("{}", adapt.share)},
       {"adapt max_dofs", fmt::format("{}", adapt.max_dofs)},
-      {"adapt max_steps", fmt::format("{}", adapt.max_steps)}};
+      {"adapt max_steps", fmt::format("{}", adapt.max_steps)},
+      {"adapt reference_levels", fmt::format("{}", adapt.reference_levels)}};
   for (const Key& key : problem_keys()) {
     const std::string name = std::string(key.table) + " " + std::string(key.name);
     if (held.count(name))

@@ -15,6 +15,7 @@
 #include "limes/mesh/shapes.h"
 #include "limes/study/run.h"
 #include "limes/study/shell_error.h"
+#include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
 #include "limes/study/shell_placement.h"
 
@@ -305,10 +306,7 @@ double plate_error_square(const ShellModel& model, const ShellSolution& solution
   return sum;
 }
 
-// Bending of a plate, whose moments are known: the estimate is the error of the resultants. The difference
-// of the energies is not, it is four times its square: shear strains are assumed ones.
-TEST(ShellError, IsThatOfTheMomentsOfAPlate) {
-  constexpr const char* text = R"toml(
+constexpr const char* sine_plate = R"toml(
 [mesh]
 file = "plate.obj"
 scheme = "linear"
@@ -331,20 +329,69 @@ rotation = "hard"
 where = "all"
 force_per_area = [0, 0, "sin(pi * x) * sin(pi * y)"]
 )toml";
-  for (const double shift : {0.0, 0.3}) {  // of the inner vertex: squares, or quads that are none
-    Mesh plate = shapes::grid(2, 2);
-    for (int v = 0; v < plate.points.size(); ++v)
-      plate.points[VertexId(v)] /= 2;
-    plate.points[VertexId(4)] += Vec3(shift / 2, shift / 4, 0);
-    const ShellModel model = build_shell_model(parse_problem(text, "p.toml"), plate);
+
+/// The unit square of 2 x 2 faces, which are no parallelograms if the inner vertex is shifted.
+Mesh plate_of_four(double shift) {
+  Mesh plate = shapes::grid(2, 2);
+  for (int v = 0; v < plate.points.size(); ++v)
+    plate.points[VertexId(v)] /= 2;
+  plate.points[VertexId(4)] += Vec3(shift / 2, shift / 4, 0);
+  return plate;
+}
+
+double sum(const std::vector<double>& squares) {
+  return std::accumulate(squares.begin(), squares.end(), 0.0);
+}
+
+// Bending of a plate, whose moments are known: the estimate is the error of the resultants. The difference
+// of the energies is not, it is four times its square: shear strains are assumed ones.
+TEST(ShellError, IsThatOfTheMomentsOfAPlate) {
+  for (const double shift : {0.0, 0.3}) {
+    const ShellModel model =
+        build_shell_model(parse_problem(sine_plate, "p.toml"), plate_of_four(shift));
     const ShellSolution solution = solve_shell(model);
-    const std::vector<double> squares = estimate_error(model, solution);
-    const double estimate = std::accumulate(squares.begin(), squares.end(), 0.0);
+    const double estimate = sum(estimate_error(model, solution));
     const double error = plate_error_square(model, solution);
     EXPECT_NEAR(std::sqrt(estimate / error), 1, 0.03) << shift;
     // w in the middle is 1 / (4 pi^4 D) + 1 / (2 pi^2 k G t)
     constexpr double exact_energy = 0.0035052422;
     EXPECT_GT(2 * (exact_energy - solution.strain_energy) / error, 3) << shift;
+  }
+}
+
+// Errors of first order, seen from a solution whose error is 2^-N of them and orthogonal to the difference:
+// sqrt(1 - 4^-N) of the error is found.
+TEST(ShellError, AgainstAFinerSolutionIsThatOfTheMomentsOfAPlate) {
+  for (const double shift : {0.0, 0.3}) {
+    const Problem problem =
+        parse_problem(sine_plate, "p.toml", std::vector<std::string>{"mesh.levels=3"});
+    ShellForest shell = shell_forest(problem, plate_of_four(shift));
+    const ForestMesh mesh = forest_mesh(shell.forest, Closure::conforming);
+    const ShellModel model = shell_model_on(problem, mesh.mesh, {});
+    const ShellSolution solution = solve_shell(model);
+    const double error = plate_error_square(model, solution);
+    for (int levels = 1; levels <= 3; ++levels) {
+      const ShellModel finer = finer_model(model, shell, {}, mesh, levels);
+      const double found = sum(error_against(finer, solve_shell(finer), levels, model, solution));
+      EXPECT_NEAR(found / error, 1 - std::pow(4.0, -levels), 0.01) << shift << ' ' << levels;
+    }
+  }
+}
+
+// The aim of the estimate, in the norm that it is of: on roofs, where the difference of the energies is no
+// measure because MITC4's energy is no bound, and in bending, where it is four times the square.
+TEST(ShellError, IsThatAgainstAFinerSolution) {
+  for (const auto& [file, more] :
+       {std::pair("hole_5.toml", "adapt.mark=doerfler"),
+        std::pair("hole_5.toml", "adapt.mark=maximum"), std::pair("hole_2_5.toml", "mesh.levels=1"),
+        std::pair("cylinder_plate_c.toml", "mesh.levels=2")}) {
+    const ShellResult r = run_shell_problem(
+        problem_file(file, {more, "adapt.max_dofs=8000", "adapt.reference_levels=1"}));
+    EXPECT_EQ(r.adaptive->finer_squares.size(), r.adaptive->squares.size());
+    for (const AdaptStep& s : r.adaptive->history.steps) {
+      EXPECT_GT(*s.finer_effectivity, 1) << file << s.dofs;
+      EXPECT_LT(*s.finer_effectivity, 1.3) << file << s.dofs;
+    }
   }
 }
 

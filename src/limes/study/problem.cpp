@@ -363,6 +363,7 @@ void ProblemReader::read_adapt() {
     if (table.has("max_seconds")) table.read("max_seconds", adapt.max_seconds.emplace());
     if (table.has("reference_energy"))
       table.read("reference_energy", adapt.reference_energy.emplace());
+    table.read("reference_levels", adapt.reference_levels);
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
     if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
