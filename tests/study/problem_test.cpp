@@ -166,8 +166,6 @@ TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
   expect(elastic + "[adapt]\n", "p.toml:11: ", "[mesh] scheme = \"linear\"");
   expect(full() + "\n[adapt]\n", "p.toml:", "a periodic cell cannot be refined adaptively yet");
   expect(full_shell() + "\n[adapt]\n", "p.toml:", "\"linear\" or \"kobbelt\"");
-  expect(full_shell() + "\n[adapt]\nestimator = \"residual\"\n",
-         "p.toml:", "no residual estimator for shells");
   for (const char* needed : {"young", "poisson"}) {
     Draft draft;
     draft.erase("material", needed);

@@ -366,9 +366,6 @@ void ProblemReader::read_adapt() {
     table.read("reference_levels", adapt.reference_levels);
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
-    if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
-      fail(table.place("estimator"),
-           "there is no residual estimator for shells; right is \"zienkiewicz-zhu\"");
     if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&
         problem_.mesh.scheme != "kobbelt")
       fail(table.place(),

@@ -6,6 +6,7 @@
 #include "limes/adapt/recovery.h"
 #include "limes/core/parallel.h"
 #include "limes/fem/resultant_norm.h"
+#include "limes/study/shell_residual.h"
 
 namespace limes {
 namespace {
@@ -144,6 +145,8 @@ ShellResultants interpolated(const std::array<ShellResultants, 4>& corner, const
 }  // namespace
 
 std::vector<double> estimate_error(const ShellModel& model, const ShellSolution& solution) {
+  if (model.problem.adapt && model.problem.adapt->estimator == EstimatorKind::residual)
+    return residual_estimate(model, solution);
   const Topology& t = model.mesh->topology;
   const IdArray<HalfedgeId, ShellResultants> at_corner = recovered(model, solution);
   std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
