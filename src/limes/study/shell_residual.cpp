@@ -100,7 +100,7 @@ class ShellResiduals {
         solution_(solution),
         load_(shell_load_density(model)),
         held_(held_along_sides(model)),
-        size_(static_cast<std::size_t>(model.mesh->topology.num_faces()), 0.0),
+        area_(static_cast<std::size_t>(model.mesh->topology.num_faces()), 0.0),
         points_(side_points * static_cast<std::size_t>(model.mesh->topology.num_corners())),
         side_square_(static_cast<std::size_t>(model.mesh->topology.num_corners()), 0.0) {}
 
@@ -130,12 +130,12 @@ class ShellResiduals {
     double area = 0;
     for (const Vec2& rs : inner_points())
       area += quad.area_normal(rs).norm();
-    size_[f] = std::sqrt(area);
-    const SectionStiffness stiffness(model_.section(f), size_[f]);
+    area_[f] = area;
     constexpr std::array<std::array<double, 2>, 4> corner{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     for (std::size_t k = 0; k < 4; ++k) {
       const Vec2 a(corner[k][0], corner[k][1]), b(corner[(k + 1) % 4][0], corner[(k + 1) % 4][1]);
       const Vec3 tau = quad.x[(k + 1) % 4] - quad.x[k];
+      const SectionStiffness stiffness(model_.section(f), area / tau.norm());
       for (std::size_t q = 0; q < side_points; ++q) {
         const double s = q == 0 ? -gauss : gauss;
         const Vec2 rs = (1 - s) / 2 * a + (1 + s) / 2 * b;
@@ -172,22 +172,18 @@ class ShellResiduals {
   /// One after the other, as the loads ask.
   void balance_sides() {
     for (const std::vector<HalfedgeId>& sides : meeting_sides()) {
-      const Vec3 chord = model_.mesh->points[model_.adjacency->to(sides[0])] -
-                         model_.mesh->points[model_.adjacency->from(sides[0])];
       Pair<Projector> free;
       for (const HalfedgeId h : sides) {
         free.force.hold(held_[h].displacement);
         free.moment.hold(held_[h].rotation);
       }
       for (std::size_t q = 0; q < side_points; ++q)
-        balance(sides, q, chord.norm() / side_points, free);
+        balance(sides, q, free);
     }
   }
 
-  /// @param q       point of the first of the sides
-  /// @param length  that it stands for
-  void balance(const std::vector<HalfedgeId>& sides, std::size_t q, double length,
-               const Pair<Projector>& free) {
+  /// @param q  point of the first of the sides
+  void balance(const std::vector<HalfedgeId>& sides, std::size_t q, const Pair<Projector>& free) {
     const double share = 1 / static_cast<double>(sides.size());
     const VertexId start = model_.node[model_.adjacency->from(sides[0])];
     Pair<Vec3> lack{Vec3::Zero(), Vec3::Zero()};
@@ -203,7 +199,7 @@ class ShellResiduals {
     const double square = weighted_square(share * free.force.free_part(lack.force), A.force) +
                           weighted_square(share * free.moment.free_part(lack.moment), A.moment);
     for (const HalfedgeId h : sides)
-      side_square_[h] += size_[model_.adjacency->face(h)] / 6 * length * square;
+      side_square_[h] += area_[model_.adjacency->face(h)] / (6 * side_points) * square;
   }
 
   static std::array<Vec2, 4> inner_points() {
@@ -233,20 +229,31 @@ class ShellResiduals {
       T[i] = here.membrane + here.normal * here.shear.transpose();
       M[i] = here.bending;
     }
-    const SectionStiffness stiffness(model_.section(f), size_[f]);
-    double sum = 0;
+    Pair<std::array<Vec3, 4>> lack;
+    Pair<Vec3> mean{Vec3::Zero(), Vec3::Zero()};
+    std::array<double, 4> weight{};
+    std::array<Vec3, 4> normal;
     for (std::size_t i = 0; i < 4; ++i) {
       const ShellResultants here = state(f, quad, points[i]);
       const Eigen::Matrix<double, 3, 2> dual = dual_base(quad, points[i]);
-      const Vec3 force = divergence(T, points[i], dual) + p[i];
+      normal[i] = here.normal;
+      weight[i] = quad.area_normal(points[i]).norm();
+      lack.force[i] = divergence(T, points[i], dual) + p[i];
       const Vec3 moment = divergence(M, points[i], dual) - here.shear;
-      const double normal = force.dot(here.normal);
-      sum += quad.area_normal(points[i]).norm() *
-             ((force.squaredNorm() - normal * normal) / stiffness.in_surface() +
-              normal * normal / stiffness.transverse() +
-              (moment - moment.dot(here.normal) * here.normal).squaredNorm() / stiffness.moment());
+      lack.moment[i] = moment - moment.dot(here.normal) * here.normal;
+      mean.force += weight[i] / area_[f] * lack.force[i];
+      mean.moment += weight[i] / area_[f] * lack.moment[i];
     }
-    return size_[f] * size_[f] / 24 * sum;
+    const SectionStiffness stiffness(model_.section(f), std::sqrt(area_[f]));
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 force = lack.force[i] - mean.force, moment = lack.moment[i] - mean.moment;
+      const double along = force.dot(normal[i]);
+      sum += weight[i] *
+             ((force.squaredNorm() - along * along) / stiffness.in_surface() +
+              along * along / stiffness.transverse() + moment.squaredNorm() / stiffness.moment());
+    }
+    return area_[f] / 24 * sum;
   }
 
   /// Gradients of r and s along the surface.
@@ -273,7 +280,7 @@ class ShellResiduals {
   const ShellSolution& solution_;
   ShellLoadDensity load_;
   IdArray<HalfedgeId, HeldDirections> held_;
-  IdArray<FaceId, double> size_;   // square root of the area
+  IdArray<FaceId, double> area_;
   std::vector<SidePoint> points_;  // by halfedge, along it
   IdArray<HalfedgeId, double> side_square_;
 };
