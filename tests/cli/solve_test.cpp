@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cli/program.h"
+#include "cli/vtu_reader.h"
 #include "study/tension.h"
 
 namespace limes::test {
@@ -127,8 +128,10 @@ TEST_F(Solve, ResumesToTheSameBytes) {
     const std::string whole = folder / "whole", parts = folder / "parts";
     const auto run = [&](const std::string& out, const char* dofs,
                          const std::vector<std::string>& more = {}) {
-      std::vector<std::string> arguments{
-          "solve", data_file(name), "-o", out, "--set", std::string("adapt.max_dofs=") + dofs};
+      std::vector<std::string> arguments{"solve", data_file(name),
+                                         "-o",    out,
+                                         "--set", std::string("adapt.max_dofs=") + dofs,
+                                         "--set", "adapt.reference_levels=1"};
       arguments.insert(arguments.end(), more.begin(), more.end());
       return run_limes(arguments);
     };
@@ -142,6 +145,31 @@ TEST_F(Solve, ResumesToTheSameBytes) {
     ASSERT_EQ(run(parts, "1000", {"--resume"}).exit_code, 0);  // nothing is left to do
     EXPECT_EQ(read_file(whole + "/report.html"), read_file(parts + "/report.html"));
   }
+}
+
+// Errors of the last step as fields of the cells.
+TEST_F(Solve, ShowsTheErrorOfEveryElement) {
+  for (const char* name : {"l_shape.toml", "cook.toml", "hole_5.toml"})
+    for (const char* estimator : {"zienkiewicz-zhu", "residual"}) {
+      const std::string out = folder / "out";
+      const Result result = run_limes({"solve", data_file(name), "-o", out, "--json", "--set",
+                                       "adapt.max_dofs=1000", "--set", "adapt.reference_levels=1",
+                                       "--set", std::string("adapt.estimator=") + estimator});
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      const Json json = Json::parse(result.out), step = json["steps"].back();
+      VtuArrays fields = read_vtu_arrays(out + "/result.vtu");
+      const auto norm = [&](const char* field) {
+        EXPECT_EQ(fields[field].size(), json["elements"]) << name << field;
+        double sum = 0;
+        for (const double x : fields[field])
+          sum += x * x;
+        return std::sqrt(sum);
+      };
+      const double estimate = step["error_estimate"], finer = step["error_against_finer"];
+      EXPECT_NEAR(norm("error") / estimate, 1, 1e-12) << name;
+      EXPECT_NEAR(norm("error_against_finer") / finer, 1, 1e-12) << name;
+      EXPECT_NEAR(step["effectivity_against_finer"], estimate / finer, 1e-12) << name;
+    }
 }
 
 TEST_F(Solve, ResumesAfterAnInterrupt) {

@@ -273,11 +273,9 @@ TEST(ShellError, OfConstantCurvatureIsZeroUnlessTheBorderIsFree) {
 }
 
 // Hoop force of a cylinder under pressure: constant along the surface, turning from facet to facet. Facets
-// have a little shear besides, because directors are not normal to them; its stiffness is taken out. Residuals
-// see that chords are shorter than arcs, with order two.
+// have a little shear besides, because directors are not normal to them; its stiffness is taken out.
 TEST(ShellError, VanishesForACylinderUnderPressure) {
-  double coarser = 0;
-  for (const char* levels : {"mesh.levels=2", "mesh.levels=3", "mesh.levels=4"}) {
+  for (const char* levels : {"mesh.levels=2", "mesh.levels=3"}) {
     const Problem problem = parse_problem(R"([mesh]
 file = "roof.obj"
 scheme = "linear"
@@ -309,10 +307,8 @@ pressure = -1
 )",
                                           std::filesystem::path(LIMES_DATA_DIR) / "p.toml",
                                           std::vector<std::string>{levels});
-    const auto [recovered, residual] = estimated_parts(read_shell_model(problem));
-    EXPECT_LT(recovered, 1e-4) << levels;
-    std::printf("%s %g %g\n", levels, recovered, residual);
-    coarser = residual;
+    for (const double part : estimated_parts(read_shell_model(problem)))
+      EXPECT_LT(part, 2e-5) << levels;
   }
 }
 
@@ -489,9 +485,10 @@ TEST(ShellError, BothMarkTheSameElements) {
       part += squares[static_cast<std::size_t>(i)] / sum(squares);
     return part;
   };
-  std::printf("%g %g\n", seen_by(recovered, residual), seen_by(residual, recovered));
-  EXPECT_GT(seen_by(recovered, residual), 0.45);
-  EXPECT_GT(seen_by(residual, recovered), 0.45);
+  EXPECT_GT(seen_by(recovered, residual), 0.35);
+  EXPECT_GT(seen_by(residual, recovered), 0.5);
+  for (const auto& squares : {recovered, residual})  // few of 2048
+    EXPECT_LT(marked(squares, MarkingKind::doerfler, 0.5).size(), 100U);
 }
 
 TEST(AdaptiveShell, RoofWithAHoleComesToTheLimitOfTheTheory) {
