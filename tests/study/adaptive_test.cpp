@@ -140,12 +140,12 @@ pressure = 3
   EXPECT_LT(total(estimate_error(pressed.model, pressed.solution)), 1e-12);
 }
 
-// u = x (2 - x) / 2 with the source 1 on a row of n squares of side h: the solution is exact at the
-// nodes, its slope jumps by h there. The source counts h^2 / 24 per area, each of a square's two sides
-// between squares h / 6 (h / 2)^2 per length, and the held ends nothing.
+// u = x (2 - x) / 2 with the source 1 on a row of n rectangles of length h: the solution is exact at the
+// nodes, its slope jumps by h there. Each of a rectangle's two sides between rectangles counts
+// h / 6 (h / 2)^2 per length, and the held ends nothing; the square of the error is h^2 / 12 per area.
 TEST(ErrorEstimate, ResidualsOfAParabolaAreKnown) {
   constexpr int n = 8;
-  constexpr double h = 2.0 / n;
+  constexpr double h = 2.0 / n, width = 0.1;
   const SolvedPoisson s = solve_scalar(
       R"(scheme = "linear"
 [model]
@@ -158,12 +158,12 @@ value = 0
 where = "all"
 source = 1
 )" + std::string(by_residual),
-      testing::grid(n, 1, [](const Vec2& p) { return Vec2(2 * p.x(), p.y() * 2.0 / n); }));
-  EXPECT_NEAR(s.solution.strain_energy, h * (1.0 / 3 - h * h / 12), 1e-12);
-  const double per_area = h * h / 24;
-  const double sides = h / 6 * (h / 2) * (h / 2) * h * 2 * (n - 1);
+      testing::grid(n, 1, [](const Vec2& p) { return Vec2(2 * p.x(), p.y() * width); }));
+  EXPECT_NEAR(s.solution.strain_energy, width * (1.0 / 3 - h * h / 12), 1e-12);
+  const double sides = h / 6 * (h / 2) * (h / 2) * width * 2 * (n - 1);
   const double square = std::pow(total(estimate_error(s.model, s.solution)), 2);
-  EXPECT_NEAR(square, per_area * 2 * h + sides, 1e-12);
+  EXPECT_NEAR(square, sides, 1e-12);
+  EXPECT_NEAR(square, h * h / 12 * 2 * width * (n - 1) / n, 1e-12);
 }
 
 // Expressions are not thread safe; more elements than one thread takes at a time.

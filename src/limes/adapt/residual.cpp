@@ -45,11 +45,10 @@ std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
 /// What a face brings to its sides.
 struct FaceSides {
   std::array<Vec2, 4> normal;  ///< outward, of length 1
-  std::array<double, 4> length{};
   std::vector<Vec3> x;         ///< points, side by side
   std::vector<VectorX> flux;   ///< through the sides, there
   std::array<MatrixX, 4> A;    ///< stiffness along the normals
-  double h = 0;                ///< square root of the area
+  double area = 0;
   std::vector<VectorX> load;   ///< per area, at the points of the element's table
   std::vector<VectorX> given;  ///< what the flux on the border should be, there; elsewhere unused
 };
@@ -103,7 +102,7 @@ class ResidualEstimate {
     const ElementTable& inside = space_.table(element(e).shape);
     ElementPoints points;
     to_physical(inside, P, points);
-    out.h = std::sqrt(points.J.cwiseAbs().dot(inside.weight));
+    out.area = points.J.cwiseAbs().dot(inside.weight);
     const double turn = points.J(0) > 0 ? 1 : -1;
     const MatrixX D = energy_.stiffness(e);
     const ElementTable& table = on_sides_[shape];
@@ -115,7 +114,6 @@ class ResidualEstimate {
       const Vec2 t =
           (space_.mesh().points[corners[(at + 1) % 4]] - space_.mesh().points[corners[at]])
               .head<2>();
-      out.length[at] = t.norm();
       out.normal[at] = turn / t.norm() * Vec2(t.y(), -t.x());
       out.A[at] = stiffness_along(out.normal[at], D);
       const MatrixX B = gradient_along(out.normal[at], D.rows());
@@ -169,18 +167,23 @@ class ResidualEstimate {
     const MatrixX Bx = gradient_along(Vec2::UnitX(), D.rows()),
                   By = gradient_along(Vec2::UnitY(), D.rows());
     const MatrixX A = 0.5 * (stiffness_along(Vec2::UnitX(), D) + stiffness_along(Vec2::UnitY(), D));
-    double sum = 0;
+    const VectorX weight = points.J.cwiseAbs().cwiseProduct(table.weight);
+    MatrixX r(points.J.size(), A.rows());
     for (Eigen::Index i = 0; i < points.J.size(); ++i) {
       const double s = 2 * table.uv(i, 0) - 0.5, t = 2 * table.uv(i, 1) - 0.5;
       const VectorX qu = 2 * ((1 - t) * (q.row(1) - q.row(0)) + t * (q.row(2) - q.row(3)));
       const VectorX qv = 2 * ((1 - s) * (q.row(3) - q.row(0)) + s * (q.row(2) - q.row(1)));
       const VectorX qx = (xv(i, 1) * qu - xu(i, 1) * qv) / points.J(i);
       const VectorX qy = (xu(i, 0) * qv - xv(i, 0) * qu) / points.J(i);
-      const VectorX r =
-          sides(e).load[static_cast<std::size_t>(i)] + Bx.transpose() * qx + By.transpose() * qy;
-      sum += std::abs(points.J(i)) * table.weight(i) * weighted_square(r, A);
+      r.row(i) =
+          (sides(e).load[static_cast<std::size_t>(i)] + Bx.transpose() * qx + By.transpose() * qy)
+              .transpose();
     }
-    return sides(e).h * sides(e).h / 24 * sum;
+    const VectorX mean = r.transpose() * weight / weight.sum();
+    double sum = 0;
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      sum += weight(i) * weighted_square(r.row(i).transpose() - mean, A);
+    return sides(e).area / 24 * sum;
   }
 
   [[nodiscard]] double side_square(int e, int k) const {
@@ -203,7 +206,7 @@ class ResidualEstimate {
       }
       sum += rule_.weight[static_cast<std::size_t>(i)] * weighted_square(j, A);
     }
-    return own.h / 6 * own.length[static_cast<std::size_t>(k)] * sum;
+    return own.area / 6 * sum;
   }
 
   const SubdivisionSpace& space_;
