@@ -28,6 +28,7 @@ struct SidePoint {
   Vec3 x;
   Pair<Vec3> traction;   ///< through the side, from beyond it on the face
   Pair<Mat3> stiffness;  ///< of the face
+  Mat3 free_border;      ///< against moments, where all rotations are free
 };
 
 /// The director between those of the corners.
@@ -46,6 +47,8 @@ class SectionStiffness {
     along_ = s.young * t / (1 - s.poisson * s.poisson);
     across_ = shear * t;
     bending_ = t * t / 12;
+    const double x = h / 6 * std::sqrt(s.shear_factor / bending_);
+    layer_ = x / std::tanh(x);
     transverse_ = 1 / (1 / (s.shear_factor * shear * t) + h * h / (60 * bending_ * along_));
   }
 
@@ -57,13 +60,18 @@ class SectionStiffness {
     return {along_ * n + across_ * m + transverse_ * V * V.transpose(),
             bending_ * (along_ * m + across_ * n)};
   }
+  /// Against moments on a free border: twisting ones are taken up in a layer as wide as the shell is thick.
+  [[nodiscard]] Mat3 on_free_border(const Vec3& nu, const Vec3& V) const {
+    const Vec3 tau = V.cross(nu);
+    return bending_ * (along_ * tau * tau.transpose() + layer_ * across_ * nu * nu.transpose());
+  }
   /// The mean of two directions, as factors in the surface, along V, and of moments.
   [[nodiscard]] double in_surface() const { return (along_ + across_) / 2; }
   [[nodiscard]] double transverse() const { return transverse_; }
   [[nodiscard]] double moment() const { return bending_ * in_surface(); }
 
  private:
-  double along_, across_, bending_, transverse_;
+  double along_, across_, bending_, transverse_, layer_;
 };
 
 /// r . A^-1 r with what A has no stiffness against left out.
@@ -145,7 +153,8 @@ class ShellResiduals {
         at(model_.mesh->topology.halfedge(f, static_cast<int>(k)), q) = {
             quad.position(rs),
             {here.membrane * nu + here.shear.dot(nu) * V, V.cross(Vec3(here.bending * nu))},
-            stiffness.on_side(nu, V)};
+            stiffness.on_side(nu, V),
+            stiffness.on_free_border(nu, V)};
       }
     }
   }
@@ -186,6 +195,7 @@ class ShellResiduals {
   void balance(const std::vector<HalfedgeId>& sides, std::size_t q, const Pair<Projector>& free) {
     const double share = 1 / static_cast<double>(sides.size());
     const VertexId start = model_.node[model_.adjacency->from(sides[0])];
+    const bool free_border = sides.size() == 1 && held_[sides[0]].rotation.empty();
     Pair<Vec3> lack{Vec3::Zero(), Vec3::Zero()};
     Pair<Mat3> A{Mat3::Zero(), Mat3::Zero()};
     for (const HalfedgeId h : sides) {
@@ -194,7 +204,7 @@ class ShellResiduals {
       lack.force += load_.on_side(h, point.x) - point.traction.force;
       lack.moment -= point.traction.moment;
       A.force += share * point.stiffness.force;
-      A.moment += share * point.stiffness.moment;
+      A.moment += share * (free_border ? point.free_border : point.stiffness.moment);
     }
     const double square = weighted_square(share * free.force.free_part(lack.force), A.force) +
                           weighted_square(share * free.moment.free_part(lack.moment), A.moment);
