@@ -59,12 +59,18 @@ std::string steps_summary(const std::optional<AdaptiveRun>& run) {
   if (!run) return {};
   std::string text = "step  unknowns   energy           error estimate   of the norm";
   const bool reference = run->history.steps.front().true_error.has_value();
-  text += reference ? "   effectivity\n" : "\n";
+  const bool finer = run->history.steps.front().finer_error.has_value();
+  if (reference) text += "   effectivity";
+  if (finer) text += "   against finer";
+  text += '\n';
   int number = 0;
   for (const AdaptStep& s : run->history.steps) {
     text += fmt::format("{:>4}  {:>8}   {:<14.8g}   {:<14.4g}   {:>8.3g} %", number++, s.dofs,
                         s.strain_energy, s.error_estimate, 100 * s.relative_error);
-    text += s.effectivity ? fmt::format("   {:>8.3f}\n", *s.effectivity) : "\n";
+    if (reference)
+      text += s.effectivity ? fmt::format("   {:>11.3f}", *s.effectivity) : std::string(14, ' ');
+    if (s.finer_effectivity) text += fmt::format("   {:>13.3f}", *s.finer_effectivity);
+    text += '\n';
   }
   return text + end_of(*run) + "\n";
 }

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "cli/program.h"
+#include "cli/vtu_reader.h"
 #include "study/tension.h"
 
 namespace limes::test {
@@ -123,16 +125,17 @@ TEST_F(Solve, AdaptsToTheSameBytesForAnyNumberOfThreads) {
 
 // A run that ends early leaves the state of its last mesh, like one that is interrupted there.
 TEST_F(Solve, ResumesToTheSameBytes) {
-  for (const auto& tried : {std::pair("l_shape.toml", "adapt.closure=conforming"),
-                            std::pair("cook.toml", "adapt.closure=conforming"),
-                            std::pair("cook.toml", "adapt.closure=hanging")}) {
-    const char *const name = tried.first, *const closure = tried.second;
+  for (const auto& tried :
+       {std::array{"l_shape.toml", "adapt.closure=conforming", "adapt.reference_levels=1"},
+        std::array{"cook.toml", "adapt.closure=conforming", "adapt.reference_levels=1"},
+        std::array{"cook.toml", "adapt.closure=hanging", "adapt.reference_levels=0"}}) {
+    const char *const name = tried[0], *const closure = tried[1], *const levels = tried[2];
     const std::string whole = folder / "whole", parts = folder / "parts";
     const auto run = [&](const std::string& out, const char* dofs,
                          const std::vector<std::string>& more = {}) {
       std::vector<std::string> arguments{
-          "solve", data_file(name), "-o",    out,
-          "--set", closure,         "--set", std::string("adapt.max_dofs=") + dofs};
+          "solve", data_file(name), "-o",   out,     "--set",
+          closure, "--set",         levels, "--set", std::string("adapt.max_dofs=") + dofs};
       arguments.insert(arguments.end(), more.begin(), more.end());
       return run_limes(arguments);
     };
@@ -146,6 +149,31 @@ TEST_F(Solve, ResumesToTheSameBytes) {
     ASSERT_EQ(run(parts, "1000", {"--resume"}).exit_code, 0);  // nothing is left to do
     EXPECT_EQ(read_file(whole + "/report.html"), read_file(parts + "/report.html"));
   }
+}
+
+// Errors of the last step as fields of the cells.
+TEST_F(Solve, ShowsTheErrorOfEveryElement) {
+  for (const char* name : {"l_shape.toml", "cook.toml", "hole_5.toml"})
+    for (const char* estimator : {"zienkiewicz-zhu", "residual"}) {
+      const std::string out = folder / "out";
+      const Result result = run_limes({"solve", data_file(name), "-o", out, "--json", "--set",
+                                       "adapt.max_dofs=1000", "--set", "adapt.reference_levels=1",
+                                       "--set", std::string("adapt.estimator=") + estimator});
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      const Json json = Json::parse(result.out), step = json["steps"].back();
+      VtuArrays fields = read_vtu_arrays(out + "/result.vtu");
+      const auto norm = [&](const char* field) {
+        EXPECT_EQ(fields[field].size(), json["elements"]) << name << field;
+        double sum = 0;
+        for (const double x : fields[field])
+          sum += x * x;
+        return std::sqrt(sum);
+      };
+      const double estimate = step["error_estimate"], finer = step["error_against_finer"];
+      EXPECT_NEAR(norm("error") / estimate, 1, 1e-12) << name;
+      EXPECT_NEAR(norm("error_against_finer") / finer, 1, 1e-12) << name;
+      EXPECT_NEAR(step["effectivity_against_finer"], estimate / finer, 1e-12) << name;
+    }
 }
 
 TEST_F(Solve, ResumesAfterAnInterrupt) {

@@ -140,12 +140,12 @@ pressure = 3
   EXPECT_LT(total(estimate_error(pressed.model, pressed.solution)), 1e-12);
 }
 
-// u = x (2 - x) / 2 with the source 1 on a row of n squares of side h: the solution is exact at the
-// nodes, its slope jumps by h there. The source counts h^2 / 24 per area, each of a square's two sides
-// between squares h / 6 (h / 2)^2 per length, and the held ends nothing.
+// u = x (2 - x) / 2 with the source 1 on a row of n rectangles of length h: the solution is exact at the
+// nodes, its slope jumps by h there. Each of a rectangle's two sides between rectangles counts
+// h / 6 (h / 2)^2 per length, and the held ends nothing; the square of the error is h^2 / 12 per area.
 TEST(ErrorEstimate, ResidualsOfAParabolaAreKnown) {
   constexpr int n = 8;
-  constexpr double h = 2.0 / n;
+  constexpr double h = 2.0 / n, width = 0.1;
   const SolvedPoisson s = solve_scalar(
       R"(scheme = "linear"
 [model]
@@ -158,12 +158,12 @@ value = 0
 where = "all"
 source = 1
 )" + std::string(by_residual),
-      testing::grid(n, 1, [](const Vec2& p) { return Vec2(2 * p.x(), p.y() * 2.0 / n); }));
-  EXPECT_NEAR(s.solution.strain_energy, h * (1.0 / 3 - h * h / 12), 1e-12);
-  const double per_area = h * h / 24;
-  const double sides = h / 6 * (h / 2) * (h / 2) * h * 2 * (n - 1);
+      testing::grid(n, 1, [](const Vec2& p) { return Vec2(2 * p.x(), p.y() * width); }));
+  EXPECT_NEAR(s.solution.strain_energy, width * (1.0 / 3 - h * h / 12), 1e-12);
+  const double sides = h / 6 * (h / 2) * (h / 2) * width * 2 * (n - 1);
   const double square = std::pow(total(estimate_error(s.model, s.solution)), 2);
-  EXPECT_NEAR(square, per_area * 2 * h + sides, 1e-12);
+  EXPECT_NEAR(square, sides, 1e-12);
+  EXPECT_NEAR(square, h * h / 12 * 2 * width * (n - 1) / n, 1e-12);
 }
 
 // Expressions are not thread safe; more elements than one thread takes at a time.
@@ -273,6 +273,34 @@ TEST(AdaptiveRun, ResultsHaveTheSteps) {
     names.push_back(file.name);
   for (const char* name : {"report.html", "solution.png", "convergence.png", "adapted-mesh.png"})
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+}
+
+// The spaces are nested, so by Galerkin's orthogonality the square of the difference to the finer solution is
+// twice the difference of the energies.
+TEST(AdaptiveRun, ErrorAgainstAFinerSolutionIsThatOfTheEnergies) {
+  const auto energy = [](const std::string& more) {
+    return run_scalar("scheme = \"linear\"\nlevels = " + more + R"toml(
+[model]
+kind = "poisson"
+[material]
+[[support]]
+where = "boundary"
+value = 0
+[[load]]
+where = "all"
+source = 1
+)toml" + (more[0] == '1' ? "[adapt]\nmax_steps = 2\nreference_levels = 2\n" : ""),
+                      "v 0 0 0\nv 1 0 0\nv 1.4 1.2 0\nv 0.4 1.2 0\nf 1 2 3 4\n");
+  };
+  const PoissonResult result = energy("1");
+  ASSERT_EQ(result.adaptive->history.steps.size(), 2U);
+  const AdaptStep& first = result.adaptive->history.steps[0];
+  const double difference = energy("3").solution.strain_energy - first.strain_energy;
+  EXPECT_NEAR(*first.finer_error * *first.finer_error / (2 * difference), 1, 1e-9);
+  EXPECT_DOUBLE_EQ(*first.finer_effectivity, first.error_estimate / *first.finer_error);
+  const auto step = result_json(result, false)["steps"][0];
+  EXPECT_EQ(step["error_against_finer"], *first.finer_error);
+  EXPECT_EQ(step["effectivity_against_finer"], *first.finer_effectivity);
 }
 
 // One of two squares is a hole.

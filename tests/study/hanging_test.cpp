@@ -434,6 +434,12 @@ kind = "clamped"
 
 TEST(HangingAdaptive, ErrorsNameTheLine) {
   EXPECT_EQ(refusal("closure = \"hanging\"\n"), "no error");
+  EXPECT_EQ(refusal("closure = \"hanging\"\nreference_levels = 1\n"),
+            "p.toml:15: meshes with hanging vertices are not refined for comparison; right is 0 or "
+            "closure = \"conforming\"");
+  EXPECT_EQ(refusal("estimator = \"residual\"\nclosure = \"hanging\"\n"),
+            "p.toml:14: residuals of shells are not taken at hanging vertices; right is "
+            "\"zienkiewicz-zhu\" or closure = \"conforming\"");
   EXPECT_EQ(refusal("closure = \"triangles\"\n").find("p.toml:14: [adapt] closure"), 0U)
       << refusal("closure = \"triangles\"\n");
   const std::string smoothed = refusal("closure = \"hanging\"\n", R"(placement = "exact"

@@ -131,7 +131,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.loads.at(1).kind, LoadKind::flux);
   EXPECT_EQ(p.loads.at(1).value[0](Vec3(1, 0, 0)), -3);
   ASSERT_TRUE(p.adapt);
-  EXPECT_EQ(p.adapt->closure, Closure::hanging);
+  EXPECT_EQ(p.adapt->closure, Closure::conforming);
   EXPECT_EQ(p.adapt->mark, MarkingKind::fraction);
   EXPECT_EQ(p.adapt->share, 0.25);
   EXPECT_EQ(p.adapt->target_error, 0.01);
@@ -139,6 +139,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.adapt->max_steps, 12);
   EXPECT_EQ(p.adapt->max_seconds, 60);
   EXPECT_EQ(p.adapt->reference_energy, 1.5);
+  EXPECT_EQ(p.adapt->reference_levels, 2);
   EXPECT_EQ(p.adapt->line, 26);
 }
 
@@ -166,8 +167,6 @@ TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
   expect(elastic + "[adapt]\n", "p.toml:11: ", "[mesh] scheme = \"linear\"");
   expect(full() + "\n[adapt]\n", "p.toml:", "a periodic cell cannot be refined adaptively yet");
   expect(full_shell() + "\n[adapt]\n", "p.toml:", "\"linear\" or \"kobbelt\"");
-  expect(full_shell() + "\n[adapt]\nestimator = \"residual\"\n",
-         "p.toml:", "no residual estimator for shells");
   for (const char* needed : {"young", "poisson"}) {
     Draft draft;
     draft.erase("material", needed);
@@ -247,7 +246,8 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"adapt mark", adapt.mark == MarkingKind::doerfler ? "doerfler" : "?"},
       {"adapt share", fmt::format("{}", adapt.share)},
       {"adapt max_dofs", fmt::format("{}", adapt.max_dofs)},
-      {"adapt max_steps", fmt::format("{}", adapt.max_steps)}};
+      {"adapt max_steps", fmt::format("{}", adapt.max_steps)},
+      {"adapt reference_levels", fmt::format("{}", adapt.reference_levels)}};
   for (const Key& key : problem_keys()) {
     const std::string name = std::string(key.table) + " " + std::string(key.name);
     if (held.count(name))

@@ -23,6 +23,11 @@ AdaptStep figures(const StepSolution& solution, const AdaptTargets& targets) {
     step.true_error = std::sqrt(2 * std::abs(*targets.reference_energy - step.strain_energy));
     if (*step.true_error > 0) step.effectivity = step.error_estimate / *step.true_error;
   }
+  if (!solution.finer_squares.empty()) {
+    step.finer_error = std::sqrt(
+        std::accumulate(solution.finer_squares.begin(), solution.finer_squares.end(), 0.0));
+    if (*step.finer_error > 0) step.finer_effectivity = step.error_estimate / *step.finer_error;
+  }
   return step;
 }
 

@@ -18,6 +18,8 @@ struct AdaptStep {
   double relative_error = 0;  ///< estimate / energy norm of the exact solution, also estimated
   /// With a reference energy: sqrt(2 |E - E_h|), and estimate / error.
   std::optional<double> true_error, effectivity;
+  /// With a finer solution: the norm of the difference to it, and estimate / that.
+  std::optional<double> finer_error, finer_effectivity;
 };
 
 /// When the loop ends, and what it refines.
@@ -46,6 +48,8 @@ struct StepSolution {
   int dofs = 0, elements = 0;
   double strain_energy = 0;
   std::vector<double> squares;
+  std::vector<double> finer_squares =
+      {};  ///< of the difference to a finer solution, if there is one
 };
 
 struct AdaptHistory {

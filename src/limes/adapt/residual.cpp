@@ -12,6 +12,7 @@ namespace limes {
 namespace {
 
 constexpr int side_points = 2;
+constexpr int first_half = 4 * side_points;  ///< in the table of points_on_sides()
 
 /// The gradient (strain) of a field that changes along n only is this times the change, (c, d).
 MatrixX gradient_along(const Vec2& n, Eigen::Index c) {
@@ -56,17 +57,18 @@ std::vector<Vec2> points_on_sides(const QuadratureRule& rule) {
 struct Piece {
   int side;
   Eigen::Index first;  ///< of its points in the table of points_on_sides()
+  /// Of the side's length.
+  [[nodiscard]] double share() const { return first < first_half ? 1 : 0.5; }
 };
 
 /// What a face brings to its sides, piece by piece.
 struct FaceSides {
   std::vector<Piece> pieces;
-  std::vector<Vec2> normal;  ///< outward, of length 1
-  std::vector<double> length;
-  std::vector<Vec3> x;         ///< points
-  std::vector<VectorX> flux;   ///< through the sides, there
-  std::vector<MatrixX> A;      ///< stiffness along the normals
-  double h = 0;                ///< square root of the area
+  std::vector<Vec2> normal;   ///< outward, of length 1
+  std::vector<Vec3> x;        ///< points
+  std::vector<VectorX> flux;  ///< through the sides, there
+  std::vector<MatrixX> A;     ///< stiffness along the normals
+  double area = 0;
   std::vector<VectorX> load;   ///< per area, at the points of the element's table
   std::vector<VectorX> given;  ///< what the flux on the border should be, there; elsewhere unused
 };
@@ -121,7 +123,6 @@ class ResidualEstimate {
   /// In the order of the halfedges of neighbours().
   [[nodiscard]] std::vector<Piece> pieces_of(FaceId face) const {
     std::vector<Piece> out;
-    constexpr int first_half = 4 * side_points;
     for (int k = 0; k < 4; ++k)
       if (!hanging_ || !hanging_->inside(face, k).valid())
         out.push_back({k, side_points * k});
@@ -138,7 +139,7 @@ class ResidualEstimate {
     const ElementTable& inside = space_.table(element(e).shape);
     ElementPoints points;
     to_physical(inside, P, points);
-    out.h = std::sqrt(points.J.cwiseAbs().dot(inside.weight));
+    out.area = points.J.cwiseAbs().dot(inside.weight);
     const double turn = points.J(0) > 0 ? 1 : -1;
     const MatrixX D = energy_.stiffness(e);
     const ElementTable& table = on_sides_[shape];
@@ -151,7 +152,6 @@ class ResidualEstimate {
       const Vec2 t =
           (space_.mesh().points[corners[(at + 1) % 4]] - space_.mesh().points[corners[at]])
               .head<2>();
-      out.length.push_back(piece.first < 4 * side_points ? t.norm() : t.norm() / 2);
       out.normal.emplace_back(turn / t.norm() * Vec2(t.y(), -t.x()));
       out.A.push_back(stiffness_along(out.normal.back(), D));
       const MatrixX B = gradient_along(out.normal.back(), D.rows());
@@ -209,18 +209,23 @@ class ResidualEstimate {
     const MatrixX Bx = gradient_along(Vec2::UnitX(), D.rows()),
                   By = gradient_along(Vec2::UnitY(), D.rows());
     const MatrixX A = 0.5 * (stiffness_along(Vec2::UnitX(), D) + stiffness_along(Vec2::UnitY(), D));
-    double sum = 0;
+    const VectorX weight = points.J.cwiseAbs().cwiseProduct(table.weight);
+    MatrixX r(points.J.size(), A.rows());
     for (Eigen::Index i = 0; i < points.J.size(); ++i) {
       const double s = 2 * table.uv(i, 0) - 0.5, t = 2 * table.uv(i, 1) - 0.5;
       const VectorX qu = 2 * ((1 - t) * (q.row(1) - q.row(0)) + t * (q.row(2) - q.row(3)));
       const VectorX qv = 2 * ((1 - s) * (q.row(3) - q.row(0)) + s * (q.row(2) - q.row(1)));
       const VectorX qx = (xv(i, 1) * qu - xu(i, 1) * qv) / points.J(i);
       const VectorX qy = (xu(i, 0) * qv - xv(i, 0) * qu) / points.J(i);
-      const VectorX r =
-          sides(e).load[static_cast<std::size_t>(i)] + Bx.transpose() * qx + By.transpose() * qy;
-      sum += std::abs(points.J(i)) * table.weight(i) * weighted_square(r, A);
+      r.row(i) =
+          (sides(e).load[static_cast<std::size_t>(i)] + Bx.transpose() * qx + By.transpose() * qy)
+              .transpose();
     }
-    return sides(e).h * sides(e).h / 24 * sum;
+    const VectorX mean = r.transpose() * weight / weight.sum();
+    double sum = 0;
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      sum += weight(i) * weighted_square(r.row(i).transpose() - mean, A);
+    return sides(e).area / 24 * sum;
   }
 
   [[nodiscard]] double side_square(int e, int k) const {
@@ -242,7 +247,7 @@ class ResidualEstimate {
       }
       sum += rule_.weight[static_cast<std::size_t>(i)] * weighted_square(j, A);
     }
-    return own.h / 6 * own.length[static_cast<std::size_t>(k)] * sum;
+    return own.area / 6 * own.pieces[static_cast<std::size_t>(k)].share() * sum;
   }
 
   const SubdivisionSpace& space_;

@@ -18,12 +18,12 @@ struct LoadDensity {
 };
 
 /// Squared error of every face in the energy norm, estimated by what the solution leaves unbalanced
-/// [babuska_1987, kelly_1983]: with h the square root of a face's area,
-///   h^2 / 24 integral of r . A^-1 r + h / 6 sum over sides of the integral of j . A^-1 j,
-/// r = f + div q in the face; on an inner side j is half of the jump of the flux q . n, on the border
-/// g - q . n where the solution is not given. A(n) is the stiffness against a gradient along n, on a
-/// side the mean of both faces', inside that of x and y. Without r the sum is exact for functions of second
-/// order on squares, for which r adds to it.
+/// [babuska_1987, kelly_1983]: with a face's area a,
+///   a / 24 integral of r . A^-1 r + sum over sides of the mean of a / 6 j . A^-1 j,
+/// r = f + div q in the face without its mean there, which the sides see, too [carstensen_1999]; on an inner
+/// side j is half of the jump of the flux q . n, on the border g - q . n where the solution is not given.
+/// A(n) is the stiffness against a gradient along n, on a side the mean of both faces', inside that of x
+/// and y. The sides are exact for functions of second order on rectangles.
 /// Precondition: as zienkiewicz_zhu().
 /// @param hanging  if vertices hang in the middles of sides: each half has its own jump
 /// @return         by face; 0 for holes

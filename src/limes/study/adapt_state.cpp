@@ -121,6 +121,8 @@ Json step_json(const AdaptStep& s) {
            {"relative_error", s.relative_error}};
   if (s.true_error) out["true_error"] = *s.true_error;
   if (s.effectivity) out["effectivity"] = *s.effectivity;
+  if (s.finer_error) out["finer_error"] = *s.finer_error;
+  if (s.finer_effectivity) out["finer_effectivity"] = *s.finer_effectivity;
   return out;
 }
 
@@ -140,17 +142,24 @@ AdaptStep step_of(const Json& json) {
   s.relative_error = json.at("relative_error").get<double>();
   if (json.contains("true_error")) s.true_error = json["true_error"].get<double>();
   if (json.contains("effectivity")) s.effectivity = json["effectivity"].get<double>();
+  if (json.contains("finer_error")) s.finer_error = json["finer_error"].get<double>();
+  if (json.contains("finer_effectivity"))
+    s.finer_effectivity = json["finer_effectivity"].get<double>();
   return s;
 }
 
 /// Whether a step can be one of a run with these targets.
-bool is_possible(const AdaptStep& s, const AdaptTargets& targets) {
+/// @param finer  whether steps are compared with finer solutions
+bool is_possible(const AdaptStep& s, const AdaptTargets& targets, bool finer) {
   const auto is_error = [](double x) { return std::isfinite(x) && x >= 0; };
   return s.dofs > 0 && s.elements > 0 && std::isfinite(s.strain_energy) &&
          is_error(s.error_estimate) && is_error(s.relative_error) &&
          s.true_error.has_value() == targets.reference_energy.has_value() &&
          is_error(s.true_error.value_or(0)) && is_error(s.effectivity.value_or(0)) &&
-         s.effectivity.has_value() == (s.true_error.value_or(0) > 0);
+         s.effectivity.has_value() == (s.true_error.value_or(0) > 0) &&
+         s.finer_error.has_value() == finer && is_error(s.finer_error.value_or(0)) &&
+         is_error(s.finer_effectivity.value_or(0)) &&
+         s.finer_effectivity.has_value() == (s.finer_error.value_or(0) > 0);
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -223,7 +232,8 @@ void resume(const Problem& problem, Forest& forest, const std::string& mesh,
       refuse(file, fmt::format("was started on another mesh than {}", mesh_path(problem).string()));
     for (const Json& step : state.at("steps")) {
       targets.before.push_back(step_of(step));
-      if (!is_possible(targets.before.back(), targets)) refuse(file, "is damaged");
+      if (!is_possible(targets.before.back(), targets, problem.adapt->reference_levels > 0))
+        refuse(file, "is damaged");
     }
     leaves = state.at("leaves").get<std::vector<Leaf>>();
   } catch (const Json::exception&) {

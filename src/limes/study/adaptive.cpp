@@ -74,6 +74,7 @@ AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<con
   const auto solve_step = [&](const ForestMesh& mesh) {
     StepSolution step = solve(mesh);
     run.squares = step.squares;
+    run.finer_squares = step.finer_squares;
     return step;
   };
   run.history = solve_adaptively(forest, targets, solve_step, seams);
@@ -91,6 +92,8 @@ Json steps_json(const AdaptiveRun& run) {
               {"relative_error_estimate", s.relative_error}};
     if (s.true_error) step["error"] = *s.true_error;
     if (s.effectivity) step["effectivity"] = *s.effectivity;
+    if (s.finer_error) step["error_against_finer"] = *s.finer_error;
+    if (s.finer_effectivity) step["effectivity_against_finer"] = *s.finer_effectivity;
     out.push_back(std::move(step));
   }
   return out;
@@ -113,33 +116,44 @@ Table steps_table(const AdaptiveRun& run) {
   Table table{"Error in the energy norm, and how much it is of the norm of the solution",
               {"step", "unknowns", "elements", "energy", "estimated error", "of the norm"},
               {}};
-  if (reference) table.header.insert(table.header.end(), {"true error", "effectivity"});
+  if (reference) table.header.insert(table.header.end(), {"error by energy", "effectivity"});
+  const bool finer = run.history.steps.front().finer_error.has_value();
+  if (finer)
+    table.header.insert(table.header.end(), {"error against finer", "effectivity with it"});
+  const auto effectivity = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.2f}", *value) : "";
+  };
   int number = 0;
   for (const AdaptStep& s : run.history.steps) {
     table.rows.push_back({std::to_string(number++), std::to_string(s.dofs),
                           std::to_string(s.elements), format_readable(s.strain_energy, 8),
                           format_readable(s.error_estimate, 4), percent(s.relative_error)});
-    if (!reference) continue;
-    table.rows.back().push_back(format_readable(*s.true_error, 4));
-    table.rows.back().push_back(s.effectivity ? fmt::format("{:.2f}", *s.effectivity) : "");
+    std::vector<std::string>& row = table.rows.back();
+    if (reference)
+      row.insert(row.end(), {format_readable(*s.true_error, 4), effectivity(s.effectivity)});
+    if (finer)
+      row.insert(row.end(), {format_readable(*s.finer_error, 4), effectivity(s.finer_effectivity)});
   }
   return table;
 }
 
 std::optional<Drawing> steps_drawing(const AdaptiveRun& run) {
   Series estimate{.name = "estimated", .points = {}};
-  Series error{.name = "true", .points = {}, .dashed = true};
+  Series error{.name = "by energy", .points = {}, .dashed = true};
+  Series finer{.name = "against finer", .points = {}, .dashed = true};
   for (const AdaptStep& s : run.history.steps) {
     estimate.points.emplace_back(s.dofs, s.error_estimate);
     if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
+    if (s.finer_error) finer.points.emplace_back(s.dofs, *s.finer_error);
   }
   const auto shown = [](const Series& s) {
     return std::any_of(s.points.begin(), s.points.end(),
                        [](const Vec2& point) { return point.y() > 0; });
   };
-  if (!shown(estimate) && !shown(error)) return std::nullopt;
+  if (!shown(estimate) && !shown(error) && !shown(finer)) return std::nullopt;
   std::vector<Series> series{std::move(estimate)};
-  if (!error.points.empty()) series.push_back(std::move(error));
+  for (Series* const more : {&error, &finer})
+    if (!more->points.empty()) series.push_back(std::move(*more));
   return drawing(convergence_plot("Adaptive refinement", "unknowns", "error in the energy norm",
                                   std::move(series), {{-0.5}}));
 }

@@ -13,8 +13,9 @@ namespace limes {
 /// An adaptive run as it is reported.
 struct AdaptiveRun {
   AdaptHistory history;
-  Mesh start;                   ///< before the first step
-  std::vector<double> squares;  ///< squared error of each face of the last mesh
+  Mesh start;                         ///< before the first step
+  std::vector<double> squares;        ///< squared error of each face of the last mesh
+  std::vector<double> finer_squares;  ///< the same against a finer solution; empty: there is none
 };
 
 /// The problem as each step solves it: on a mesh as it is.

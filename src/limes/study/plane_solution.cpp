@@ -193,15 +193,17 @@ std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& sol
   return out;
 }
 
+EnergyDensity energy_density(const PlaneModel& model, const PlaneSolution& solution) {
+  return {[&](int e, const ElementTable& table) {
+            ElementPoints points;
+            to_physical(table, model.space->control_points(e), points);
+            return MatrixX(strains(points, element_field(*model.space, e, solution.u)));
+          },
+          [&](int e) { return MatrixX(model.C[static_cast<std::size_t>(e)]); }};
+}
+
 std::vector<double> estimate_error(const PlaneModel& model, const PlaneSolution& solution) {
-  const EnergyDensity energy{
-      [&](int e, const ElementTable& table) {
-        ElementPoints points;
-        to_physical(table, model.space->control_points(e), points);
-        return MatrixX(strains(points, element_field(*model.space, e, solution.u)));
-      },
-      [&](int e) { return MatrixX(model.C[static_cast<std::size_t>(e)]); }};
-  return estimate_error(model, energy);
+  return estimate_error(model, energy_density(model, solution));
 }
 
 }  // namespace limes

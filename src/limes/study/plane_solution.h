@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/study/plane_model.h"
 
 namespace limes {
@@ -60,6 +61,9 @@ struct PlaneState {
 /// @param table  of the element's shape: quadrature or samples
 [[nodiscard]] std::vector<PlaneState> states(const PlaneModel& model, const PlaneSolution& solution,
                                              int element, const ElementTable& table);
+
+/// The energy of a solution. Both arguments must outlive it.
+[[nodiscard]] EnergyDensity energy_density(const PlaneModel& model, const PlaneSolution& solution);
 
 /// Squared errors of the faces, see error_estimate.h. Precondition: the scheme is `linear`, on quads.
 [[nodiscard]] std::vector<double> estimate_error(const PlaneModel& model,

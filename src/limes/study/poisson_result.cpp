@@ -58,7 +58,7 @@ void write_result_vtu(const ByteSink& sink, const PoissonResult& result) {
   const SubdivisionSpace& space = *model.space;
   VtuGrid grid;
   grid.points = model.mesh().points.vector();
-  std::vector<double> value, gradient, error;
+  std::vector<double> value, gradient, error, finer_error;
   std::vector<std::int64_t> material;
   for (int v = 0; v < model.mesh().points.size(); ++v) {
     const int dof = dof_of_vertex(space, VertexId(v));
@@ -74,13 +74,16 @@ void write_result_vtu(const ByteSink& sink, const PoissonResult& result) {
     const PoissonState s = states(model, result.solution, e, centre).front();
     gradient.insert(gradient.end(), {s.gradient.x(), s.gradient.y(), 0.0});
     material.push_back(model.material_of_element[static_cast<std::size_t>(e)]);
-    if (result.adaptive)
-      error.push_back(
-          std::sqrt(result.adaptive->squares[static_cast<std::size_t>(element.face.value)]));
+    const auto face = static_cast<std::size_t>(element.face.value);
+    if (result.adaptive) error.push_back(std::sqrt(result.adaptive->squares[face]));
+    if (result.adaptive && !result.adaptive->finer_squares.empty())
+      finer_error.push_back(std::sqrt(result.adaptive->finer_squares[face]));
   }
   grid.point_data = {{"value", 1, std::move(value)}};
   grid.cell_data = {{"gradient", 3, std::move(gradient)}, {"material", 1, std::move(material)}};
-  if (result.adaptive) grid.cell_data.push_back({"error", 1, std::move(error)});
+  if (!error.empty()) grid.cell_data.push_back({"error", 1, std::move(error)});
+  if (!finer_error.empty())
+    grid.cell_data.push_back({"error_against_finer", 1, std::move(finer_error)});
   write_vtu(sink, grid);
 }
 

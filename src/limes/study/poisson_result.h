@@ -24,7 +24,7 @@ struct PoissonResult {
                                                  bool with_timings = true);
 
 /// result.vtu: the quads with the value at the vertices; per cell the gradient at its centre, the
-/// material and, of an adaptive run, the estimated error.
+/// material and, of an adaptive run, the errors, estimated and against a finer solution.
 void write_result_vtu(const ByteSink& sink, const PoissonResult& result);
 
 /// report.html and its pictures, as for elasticity.

@@ -142,11 +142,13 @@ std::vector<SolutionCheck> check_solution(const PlaneModel& /*model*/,
            std::max(1e-8, solution.rounding_floor)}};
 }
 
+EnergyDensity energy_density(const PlaneModel& model, const PoissonSolution& solution) {
+  return {[&](int e, const ElementTable& table) { return gradients(model, solution, e, table); },
+          [&](int e) { return MatrixX(model.conductivity(e) * MatrixX::Identity(2, 2)); }};
+}
+
 std::vector<double> estimate_error(const PlaneModel& model, const PoissonSolution& solution) {
-  const EnergyDensity energy{
-      [&](int e, const ElementTable& table) { return gradients(model, solution, e, table); },
-      [&](int e) { return MatrixX(model.conductivity(e) * MatrixX::Identity(2, 2)); }};
-  return estimate_error(model, energy);
+  return estimate_error(model, energy_density(model, solution));
 }
 
 }  // namespace limes

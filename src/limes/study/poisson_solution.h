@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limes/adapt/loop.h"
+#include "limes/adapt/zienkiewicz_zhu.h"
 #include "limes/study/checks.h"
 #include "limes/study/probes.h"
 
@@ -49,6 +50,10 @@ struct PoissonProbe : ProbePlace {
 
 [[nodiscard]] std::vector<SolutionCheck> check_solution(const PlaneModel& model,
                                                         const PoissonSolution& solution);
+
+/// The energy of a solution. Both arguments must outlive it.
+[[nodiscard]] EnergyDensity energy_density(const PlaneModel& model,
+                                           const PoissonSolution& solution);
 
 /// Squared errors of the faces, see error_estimate.h.
 [[nodiscard]] std::vector<double> estimate_error(const PlaneModel& model,

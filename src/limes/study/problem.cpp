@@ -365,11 +365,9 @@ void ProblemReader::read_adapt() {
     if (table.has("max_seconds")) table.read("max_seconds", adapt.max_seconds.emplace());
     if (table.has("reference_energy"))
       table.read("reference_energy", adapt.reference_energy.emplace());
+    table.read("reference_levels", adapt.reference_levels);
     if (problem_.periodic)
       fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
-    if (problem_.model.kind == ModelKind::mitc4 && adapt.estimator == EstimatorKind::residual)
-      fail(table.place("estimator"),
-           "there is no residual estimator for shells; right is \"zienkiewicz-zhu\"");
     if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&
         problem_.mesh.scheme != "kobbelt")
       fail(table.place(),
@@ -383,6 +381,15 @@ void ProblemReader::read_adapt() {
       fail(table.place("closure"),
            "vertices that hang in sides do not slide; right is \"conforming\" or [mesh] smoothing "
            "= 0");
+    if (adapt.closure == Closure::hanging && adapt.reference_levels > 0)
+      fail(table.place("reference_levels"),
+           "meshes with hanging vertices are not refined for comparison; right is 0 or closure = "
+           "\"conforming\"");
+    if (adapt.closure == Closure::hanging && adapt.estimator == EstimatorKind::residual &&
+        problem_.model.kind == ModelKind::mitc4)
+      fail(table.place("estimator"),
+           "residuals of shells are not taken at hanging vertices; right is \"zienkiewicz-zhu\" or "
+           "closure = \"conforming\"");
     if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
       fail(table.place(),
            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");

@@ -138,6 +138,7 @@ struct AdaptSettings {
   int max_steps = 30;                      ///< >= 1
   std::optional<double> max_seconds;       ///< > 0
   std::optional<double> reference_energy;  ///< of the exact solution, > 0
+  int reference_levels = 0;                ///< of a finer solution to compare with, 0 to 4; 0: none
   int line = 0;
   // Not of the problem file, see adapt_state.h.
   std::filesystem::path state;  ///< file; empty: none

@@ -357,7 +357,15 @@ constexpr std::array keys{
         .type = ValueType::number,
         .range = above(0),
         .help = "strain energy of the exact solution, to report true errors; with supports of "
-                "value 0 only"}};
+                "value 0 only"},
+    Key{.table = "adapt",
+        .name = "reference_levels",
+        .type = ValueType::integer,
+        .range = from_to(0, 4),
+        .initial = "0",
+        .help =
+            "each step is also solved with every element split so often, to report errors against "
+            "that; 0: not, 2 finds some 97 % of the error, with 16 times the unknowns"}};
 
 std::string scheme_names() {
   std::string names;

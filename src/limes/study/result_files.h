@@ -28,7 +28,8 @@ struct PlaneResult {
                                                  bool with_timings = true);
 
 /// result.vtu: curved cells of degree 3 (on which displacements are exact) with displacement, stress,
-/// strain, von Mises stress as nodal values, material and face of the refined mesh per cell.
+/// strain, von Mises stress as nodal values, material and face of the refined mesh per cell; of an adaptive
+/// run the errors of the face, estimated and against a finer solution.
 void write_result_vtu(const ByteSink& sink, const PlaneResult& result);
 
 /// report.html with numbers, pictures and checks, which needs no other file; and its pictures as .png.

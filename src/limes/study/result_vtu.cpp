@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "limes/io/vtu.h"
 #include "limes/study/field_cells.h"
 #include "limes/study/result_files.h"
@@ -26,12 +28,22 @@ class ResultGrid {
     face_.push_back(model_.space->elements()[e].face.value);
   }
 
+  /// A field of the elements, given by face.
+  void add_errors(const std::string& name, const std::vector<double>& squares) {
+    std::vector<double> error;
+    for (const std::int64_t face : face_)
+      error.push_back(std::sqrt(squares[static_cast<std::size_t>(face)]));
+    errors_.push_back({name, 1, std::move(error)});
+  }
+
   VtuGrid take() {
     grid_.point_data = {{"displacement", 3, std::move(displacement_)},
                         {"stress", 3, std::move(stress_)},
                         {"strain", 3, std::move(strain_)},
                         {"von_mises", 1, std::move(von_mises_)}};
     grid_.cell_data = {{"material", 1, std::move(material_)}, {"face", 1, std::move(face_)}};
+    for (VtuArray& field : errors_)
+      grid_.cell_data.push_back(std::move(field));
     return std::move(grid_);
   }
 
@@ -48,6 +60,7 @@ class ResultGrid {
   VtuGrid grid_;
   std::vector<double> displacement_, stress_, strain_, von_mises_;
   std::vector<std::int64_t> material_, face_;
+  std::vector<VtuArray> errors_;
 };
 
 }  // namespace
@@ -56,6 +69,9 @@ void write_result_vtu(const ByteSink& sink, const PlaneResult& result) {
   ResultGrid grid(result.model);
   for_each_field_cell(result.model, result.solution, degree, rings,
                       [&](const FieldCell& cell) { grid.add(cell); });
+  if (result.adaptive) grid.add_errors("error", result.adaptive->squares);
+  if (result.adaptive && !result.adaptive->finer_squares.empty())
+    grid.add_errors("error_against_finer", result.adaptive->finer_squares);
   write_vtu(sink, grid.take());
 }
 

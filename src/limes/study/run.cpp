@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "limes/adapt/finer.h"
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/mesh/defects.h"
 #include "limes/study/shell_error.h"
+#include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
 #include "limes/study/shell_supports.h"
 #include "limes/subdiv/refine.h"
@@ -87,9 +89,17 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
           on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
         result.model = build(step, mesh.mesh, mesh.hanging);
         result.solution = solve(result.model);
-        return StepSolution{
+        StepSolution out{
             result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
             result.solution.strain_energy, estimate_error(result.model, result.solution)};
+        if (const int levels = problem.adapt->reference_levels; levels > 0) {
+          const PlaneModel finer = build(step, refine(mesh.mesh, scheme, {.levels = levels}), {});
+          const auto reference = solve(finer);
+          out.finer_squares =
+              error_against(*finer.space, energy_density(finer, reference), levels,
+                            *result.model.space, energy_density(result.model, result.solution));
+        }
+        return out;
       });
   result.model.problem = problem;
   result.model.remarks = std::move(file.remarks);
@@ -115,9 +125,15 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
         result.model = shell_model_on(problem, std::move(smoothed.mesh), tied, mesh.hanging);
         result.solution = solve_shell(result.model);
         if (on_step) on_step(result.model, result.solution);
-        return StepSolution{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
-                            result.solution.strain_energy,
-                            estimate_error(result.model, result.solution)};
+        StepSolution out{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
+                         result.solution.strain_energy,
+                         estimate_error(result.model, result.solution)};
+        if (const int levels = problem.adapt->reference_levels; levels > 0) {
+          const ShellModel finer = finer_model(result.model, shell, tied, mesh, levels);
+          out.finer_squares =
+              error_against(finer, solve_shell(finer), levels, result.model, result.solution);
+        }
+        return out;
       });
   result.model.control = std::move(file.mesh);
   result.model.remarks = std::move(file.remarks);

@@ -5,6 +5,8 @@
 
 #include "limes/adapt/recovery.h"
 #include "limes/core/parallel.h"
+#include "limes/fem/resultant_norm.h"
+#include "limes/study/shell_residual.h"
 
 namespace limes {
 namespace {
@@ -20,11 +22,6 @@ Axes axes_across(const Vec3& normal) {
   return out;
 }
 
-/// The shortest turn that brings one direction to another.
-Mat3 turn(const Vec3& from, const Vec3& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
-}
-
 PlaneResultants in_plane(const ShellResultants& r, const Axes& axes) {
   const Mat2 n = axes.transpose() * r.membrane * axes, m = axes.transpose() * r.bending * axes;
   const Vec2 q = axes.transpose() * r.shear;
@@ -38,23 +35,6 @@ ShellResultants in_space(const PlaneResultants& p, const Axes& axes, const Vec3&
   n << p(0), p(2), p(2), p(1);
   m << p(3), p(5), p(5), p(4);
   return {axes * n * axes.transpose(), axes * m * axes.transpose(), axes * p.tail<2>(), normal};
-}
-
-ShellResultants turned(const ShellResultants& r, const Vec3& normal) {
-  const Mat3 R = turn(r.normal, normal);
-  return {R * r.membrane * R.transpose(), R * r.bending * R.transpose(), R * r.shear, normal};
-}
-
-/// Twice the energy per area of what two states differ by.
-double energy_between(const ShellResultants& a, const ShellResultants& b, const ShellSection& s) {
-  const auto square = [&](const Mat3& d) {
-    return (1 + s.poisson) * d.squaredNorm() - s.poisson * d.trace() * d.trace();
-  };
-  const double t = s.thickness, stretching = s.young * t;
-  const double shearing = s.shear_factor * s.young / (2 * (1 + s.poisson)) * t;
-  return (square(a.membrane - b.membrane) + 12 / (t * t) * square(a.bending - b.bending)) /
-             stretching +
-         (a.shear - b.shear).squaredNorm() / shearing;
 }
 
 /// Whether the faces on both sides of an inner edge are one smooth piece of one material.
@@ -165,6 +145,8 @@ ShellResultants interpolated(const std::array<ShellResultants, 4>& corner, const
 }  // namespace
 
 std::vector<double> estimate_error(const ShellModel& model, const ShellSolution& solution) {
+  if (model.problem.adapt && model.problem.adapt->estimator == EstimatorKind::residual)
+    return residual_estimate(model, solution);
   const Topology& t = model.mesh->topology;
   const IdArray<HalfedgeId, ShellResultants> at_corner = recovered(model, solution);
   std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);

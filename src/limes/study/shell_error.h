@@ -6,8 +6,8 @@
 
 namespace limes {
 
-/// Squared error of every face in the energy norm: the resultants of the elements are compared with
-/// recovered ones [zienkiewicz_1992],
+/// Squared error of every face in the energy norm by the estimator that [adapt] names: residual_estimate(),
+/// or the resultants of the elements are compared with recovered ones [zienkiewicz_1992],
 ///
 ///     integral of |N* - N|^2 + 12/t^2 |M* - M|^2 over E t, and of |Q* - Q|^2 over k G t,
 ///

@@ -1,6 +1,7 @@
 #include "limes/study/shell_loads.h"
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,40 @@ class ShellLoad {
     }
   }
 
+  /// That a force per length acts on.
+  [[nodiscard]] std::vector<HalfedgeId> edges() const {
+    if (load_.kind != LoadKind::force_per_length) return {};
+    std::vector<HalfedgeId> out = chosen_.boundary_edges();
+    if (out.empty())
+      throw error(fmt::format(
+          "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
+    return out;
+  }
+  /// That a force per area or volume, or a pressure acts on.
+  [[nodiscard]] std::vector<FaceId> faces() const {
+    if (load_.kind != LoadKind::force_per_area && load_.kind != LoadKind::force_per_volume &&
+        load_.kind != LoadKind::pressure)
+      return {};
+    std::vector<FaceId> out = chosen_.faces();
+    if (out.empty())
+      throw error(fmt::format("'{}' selects no face; all vertices of a face must be selected",
+                              load_.where));
+    return out;
+  }
+  [[nodiscard]] Vec3 per_length(HalfedgeId side, const Vec3& x) const {
+    const FaceId face = model_.adjacency->face(side);
+    const double longer = model_.problem.mesh.exact
+                              ? arc_over_chord(model_.quad(face), model_.faces.side(face, side))
+                              : 1;
+    return longer * value(x);
+  }
+  [[nodiscard]] Vec3 per_area(FaceId face, const Vec3& x, const Vec3& normal) const {
+    if (load_.kind == LoadKind::pressure) return -component(0, x) * normal;
+    const double factor =
+        load_.kind == LoadKind::force_per_volume ? model_.section(face).thickness : 1;
+    return factor * value(x);
+  }
+
  private:
   [[nodiscard]] InputError error(const std::string& what) const {
     return InputError("{}:{}: {}", model_.problem.file.string(), load_.line, what);
@@ -86,43 +121,45 @@ class ShellLoad {
   }
 
   void along_edges(VectorX& f) const {
-    const std::vector<HalfedgeId> edges = chosen_.boundary_edges();
-    if (edges.empty())
-      throw error(fmt::format(
-          "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
-    for (const HalfedgeId h : edges) {
+    for (const HalfedgeId h : edges()) {
       const FaceId face = model_.adjacency->face(h);
-      const ShellQuad quad = model_.quad(face);
-      const int side = model_.faces.side(face, h);
-      const double longer = model_.problem.mesh.exact ? arc_over_chord(quad, side) : 1;
-      model_.scatter(
-          face,
-          shell_side_load(quad, side, [&](const Vec3& x) -> Vec3 { return longer * value(x); }), f);
+      model_.scatter(face,
+                     shell_side_load(model_.quad(face), model_.faces.side(face, h),
+                                     [&](const Vec3& x) { return per_length(h, x); }),
+                     f);
     }
   }
 
   void on_faces(VectorX& f) const {
-    const std::vector<FaceId> faces = chosen_.faces();
-    if (faces.empty())
-      throw error(fmt::format("'{}' selects no face; all vertices of a face must be selected",
-                              load_.where));
-    for (const FaceId face : faces) {
-      const double factor =
-          load_.kind == LoadKind::force_per_volume ? model_.section(face).thickness : 1;
+    for (const FaceId face : faces())
       model_.scatter(face,
                      shell_area_load(model_.quad(face),
-                                     [&](const Vec3& x, const Vec3& normal) -> Vec3 {
-                                       if (load_.kind == LoadKind::pressure)
-                                         return -component(0, x) * normal;
-                                       return factor * value(x);
+                                     [&](const Vec3& x, const Vec3& normal) {
+                                       return per_area(face, x, normal);
                                      }),
                      f);
-    }
   }
 
   const ShellModel& model_;
   const LoadSettings& load_;
   Selection chosen_;
+};
+
+/// A load, and which faces and sides it acts on.
+struct PlacedLoad {
+  ShellLoad load;
+  IdArray<FaceId, char> faces;
+  IdArray<HalfedgeId, char> sides;
+
+  PlacedLoad(const ShellModel& model, const LoadSettings& settings)
+      : load(model, settings),
+        faces(static_cast<std::size_t>(model.mesh->topology.num_faces()), 0),
+        sides(static_cast<std::size_t>(model.mesh->topology.num_corners()), 0) {
+    for (const FaceId f : load.faces())
+      faces[f] = 1;
+    for (const HalfedgeId h : load.edges())
+      sides[h] = 1;
+  }
 };
 
 }  // namespace
@@ -132,6 +169,24 @@ VectorX assemble_shell_loads(const ShellModel& model) {
   for (const LoadSettings& load : model.problem.loads)
     ShellLoad(model, load).add_to(f);
   return f;
+}
+
+ShellLoadDensity shell_load_density(const ShellModel& model) {
+  auto loads = std::make_shared<std::vector<PlacedLoad>>();
+  for (const LoadSettings& load : model.problem.loads)
+    loads->emplace_back(model, load);
+  return {[loads](FaceId face, const Vec3& x, const Vec3& normal) {
+            Vec3 sum = Vec3::Zero();
+            for (const PlacedLoad& one : *loads)
+              if (one.faces[face]) sum += one.load.per_area(face, x, normal);
+            return sum;
+          },
+          [loads](HalfedgeId side, const Vec3& x) {
+            Vec3 sum = Vec3::Zero();
+            for (const PlacedLoad& one : *loads)
+              if (one.sides[side]) sum += one.load.per_length(side, x);
+            return sum;
+          }};
 }
 
 }  // namespace limes

@@ -164,6 +164,33 @@ void start_between_sides(const Adjacency& coarse, Mesh& mesh) {
   }
 }
 
+/// Vertices from `first` to before `last` on their surfaces.
+void place(const Problem& problem, const std::vector<Surfaces>& surfaces, int first, int last,
+           Mesh& mesh) {
+  for (int v = first; v < last; ++v)
+    mesh.points[VertexId(v)] =
+        placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
+}
+
+/// Splits every face; new vertices start halfway between others. Edges that are tied or follow a curve
+/// become their halves.
+/// @return what every vertex lies on
+std::vector<Surfaces> split_on_surfaces(const Problem& problem, std::vector<TiedEdge>& tied,
+                                        std::vector<std::vector<Edge>>& curves, Mesh& mesh) {
+  const Topology coarse = mesh.topology;
+  const Adjacency adjacency(coarse);
+  tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
+  for (auto& edges : curves)
+    edges = split_edges(adjacency, std::span<const Edge>(edges));
+  mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
+  auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
+  const int first_of_faces = coarse.num_vertices() + adjacency.num_edges();
+  place(problem, surfaces, coarse.num_vertices(), first_of_faces, mesh);
+  start_between_sides(adjacency, mesh);
+  place(problem, surfaces, first_of_faces, mesh.points.size(), mesh);
+  return surfaces;
+}
+
 }  // namespace
 
 std::vector<const GeometrySettings*> geometry_of_faces(const Problem& problem, const Mesh& mesh) {
@@ -241,36 +268,36 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh, 0);
   auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-  const auto place = [&](int first, int last) {
-    for (int v = first; v < last; ++v)
-      mesh.points[VertexId(v)] =
-          placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
-  };
   const auto smooth = [&](const std::vector<double>& areas, int sweeps) {
     if (sweeps == 0) return;
     require_quads(problem, mesh);
     improve_shapes(problem, mesh, areas, surfaces, tied, sweeps);
   };
-  place(0, mesh.points.size());
+  place(problem, surfaces, 0, mesh.points.size(), mesh);
   // What faces should have: equal parts of those of the control mesh.
   std::vector<double> areas = face_areas(mesh);
   smooth(areas, problem.mesh.smooth_start);
   for (int level = 0; level < levels; ++level) {
-    const Topology coarse = mesh.topology;
-    const Adjacency adjacency(coarse);
-    tied = split_edges(adjacency, std::span<const TiedEdge>(tied));
-    for (auto& edges : curves)
-      edges = split_edges(adjacency, std::span<const Edge>(edges));
-    areas = areas_of_children(coarse, areas);
-    mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
-    surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-    const int first_of_faces = coarse.num_vertices() + adjacency.num_edges();
-    place(coarse.num_vertices(), first_of_faces);
-    start_between_sides(adjacency, mesh);
-    place(first_of_faces, mesh.points.size());
+    areas = areas_of_children(mesh.topology, areas);
+    surfaces = split_on_surfaces(problem, tied, curves, mesh);
     smooth(areas, problem.mesh.smoothing);
   }
   return mesh;
+}
+
+Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels, std::vector<TiedEdge> tied,
+                         std::vector<std::vector<Edge>> curves) {
+  for (int level = 0; level < levels; ++level)
+    (void)split_on_surfaces(problem, tied, curves, mesh);
+  return mesh;
+}
+
+std::vector<std::vector<Edge>> edges_in_forest(const Forest& forest, const ForestMesh& mesh,
+                                               const std::vector<std::vector<Edge>>& control) {
+  std::vector<std::vector<Edge>> out;
+  for (const std::vector<Edge>& edges : control)
+    out.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
+  return out;
 }
 
 std::vector<double> wanted_areas(const Mesh& control, int levels) {
@@ -291,9 +318,7 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
                         const std::vector<std::vector<Edge>>& curves,
                         const std::vector<TiedEdge>& tied, ForestMesh& mesh) {
   if (mesh.leaves.size() == areas.size()) return;
-  std::vector<std::vector<Edge>> fine;
-  for (const std::vector<Edge>& edges : curves)
-    fine.push_back(ends_of(tied_edges(forest, mesh, tied_to_themselves(edges))));
+  const auto fine = edges_in_forest(forest, mesh, curves);
   improve_shapes(problem, mesh.mesh, areas_in_forest(forest, mesh, areas),
                  surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
                  problem.mesh.smoothing);

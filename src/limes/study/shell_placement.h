@@ -35,6 +35,17 @@ using Edge = std::array<VertexId, 2>;
 /// @throws InputError for a face without exact surface, or a vertex that cannot be placed
 [[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels);
 
+/// The same for a mesh whose vertices are placed and stay where they are; nothing is smoothed.
+/// @param tied    its edges on seams
+/// @param curves  its edges that follow each of the problem's curves
+[[nodiscard]] Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels,
+                                       std::vector<TiedEdge> tied,
+                                       std::vector<std::vector<Edge>> curves);
+
+/// What edges of the control mesh of a forest have become in its mesh, such as those of curve_edges().
+[[nodiscard]] std::vector<std::vector<Edge>> edges_in_forest(
+    const Forest& forest, const ForestMesh& mesh, const std::vector<std::vector<Edge>>& control);
+
 /// Areas that faces should have after `levels` quadrisections: equal parts of those of the control faces.
 [[nodiscard]] std::vector<double> wanted_areas(const Mesh& control, int levels);
 

@@ -115,10 +115,14 @@ void write_result_vtu(const ByteSink& sink, const ShellResult& result) {
                     {"von_mises_bottom", 1, std::move(cells.bottom)},
                     {"material", 1, std::move(cells.material)}};
   if (result.adaptive) {
-    std::vector<double> error;
-    for (const double square : result.adaptive->squares)
-      error.push_back(std::sqrt(square));
-    grid.cell_data.push_back({"error", 1, std::move(error)});
+    const auto add = [&](const char* name, const std::vector<double>& squares) {
+      std::vector<double> error;
+      for (const double square : squares)
+        error.push_back(std::sqrt(square));
+      if (!error.empty()) grid.cell_data.push_back({name, 1, std::move(error)});
+    };
+    add("error", result.adaptive->squares);
+    add("error_against_finer", result.adaptive->finer_squares);
   }
   write_vtu(sink, grid);
 }

@@ -24,7 +24,8 @@ struct ShellResult {
 
 /// result.vtu: the quads with displacement and rotation at nodes; per cell, at its centre, membrane,
 /// bending, shear resultants in global axes (order xx, yy, zz, xy, yz, xz) and the von Mises stress
-/// at top (the directors' side), middle and bottom.
+/// at top (the directors' side), middle and bottom; of an adaptive run the errors, estimated and against
+/// a finer solution.
 void write_result_vtu(const ByteSink& sink, const ShellResult& result);
 
 /// report.html and its pictures, as for plane problems.

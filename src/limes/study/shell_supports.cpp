@@ -128,6 +128,16 @@ void add_support(const ShellModel& model, const SupportSettings& support,
     add_kind(support, end, rows);
 }
 
+/// Directions of rows that are about one node each.
+void add_directions(const std::vector<ConstraintRow>& rows, HeldDirections& out) {
+  for (const ConstraintRow& row : rows) {
+    Vec3 direction = Vec3::Zero();
+    for (const auto& [unknown, weight] : row)
+      direction(unknown % 3) = weight;
+    (row.front().first % 6 < 3 ? out.displacement : out.rotation).push_back(direction);
+  }
+}
+
 /// Normal of the plane in which the ends lie; nothing where they lie on a line or in no plane.
 std::optional<Vec3> plane_normal(const ShellModel& model, const std::vector<EdgeEnd>& ends) {
   Vec3 mean = Vec3::Zero();
@@ -208,6 +218,37 @@ ShellConstraints shell_support_constraints(const ShellModel& model) {
     const int first = static_cast<int>(out.rows.size());
     add_support(model, support, out.rows);
     out.sources.push_back({support.where, first, static_cast<int>(out.rows.size())});
+  }
+  return out;
+}
+
+IdArray<HalfedgeId, HeldDirections> held_along_sides(const ShellModel& model) {
+  const Adjacency& adjacency = *model.adjacency;
+  const int n = model.mesh->topology.num_corners();
+  IdArray<HalfedgeId, HeldDirections> out(static_cast<std::size_t>(n));
+  for (const SupportSettings& support : model.problem.supports) {
+    if (support.kind == SupportKind::listed) {
+      const Selection chosen = selected(model, support);
+      const auto is_held = [&](VertexId v) {
+        return chosen.vertices()[static_cast<std::size_t>(v.value)];
+      };
+      for (int h = 0; h < n; ++h)
+        for (int i = 0; i < 6; ++i)
+          if (support.fix[static_cast<std::size_t>(i)] && is_held(adjacency.from(HalfedgeId(h))) &&
+              is_held(adjacency.to(HalfedgeId(h))))
+            (i < 3 ? out[HalfedgeId(h)].displacement : out[HalfedgeId(h)].rotation)
+                .push_back(Vec3::Unit(i % 3));
+      continue;
+    }
+    for (const HalfedgeId h : chosen_edges(model, support)) {
+      const VertexId a = adjacency.from(h), b = adjacency.to(h);
+      const Vec3 director = (model.director[h] + model.director[adjacency.next(h)]).normalized();
+      const Vec3 chord = model.mesh->points[b] - model.mesh->points[a];
+      std::vector<ConstraintRow> rows;
+      SupportRows held(model, rows);
+      add_kind(support, {a, (chord - chord.dot(director) * director).normalized(), director}, held);
+      add_directions(rows, out[h]);
+    }
   }
   return out;
 }

@@ -29,6 +29,15 @@ struct ShellConstraints {
 /// @throws InputError for a selection without vertices, or without boundary edges where they are meant
 [[nodiscard]] ShellConstraints shell_support_constraints(const ShellModel& model);
 
+/// Directions in space along which supports hold the displacement and the rotation of a side.
+struct HeldDirections {
+  std::vector<Vec3> displacement, rotation;
+};
+/// What the same supports hold along every side whose ends they hold, with the mean of the directors at its
+/// ends and the direction of its chord.
+/// @throws InputError as shell_support_constraints()
+[[nodiscard]] IdArray<HalfedgeId, HeldDirections> held_along_sides(const ShellModel& model);
+
 /// One remark per support by symmetry whose edges lie in a plane, not on a line, that a director leaves by
 /// more than 5 degrees: five unknowns cannot bend about such edges.
 /// @throws InputError as shell_support_constraints()

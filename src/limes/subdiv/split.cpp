@@ -117,6 +117,16 @@ HalfedgeId first_of_edge(HalfedgeId a, HalfedgeId b) {
 
 }  // namespace
 
+Vec2 in_ancestor(Vec2 uv, std::int64_t path, int levels) {
+  for (int level = 0; level < levels; ++level, path >>= 2) {
+    Vec2 from_middle = uv / 2 - Vec2(0.5, 0.5);  // of the parent; child i turns by i right angles
+    for (std::int64_t i = 0; i < (path & 3); ++i)
+      from_middle = Vec2(-from_middle.y(), from_middle.x());
+    uv = Vec2(0.5, 0.5) + from_middle;
+  }
+  return uv;
+}
+
 Features split_features(const Adjacency& parent, const Features& features, Split split) {
   Features child = features.without_tags(1);
   for (const SharpVertex& v : features.vertices)

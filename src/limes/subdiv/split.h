@@ -56,6 +56,11 @@ struct FaceRange {
                                             const std::vector<bool>& marked, Split split,
                                             int levels);
 
+/// Parameters in a quad of a point of one of its descendants.
+/// @param uv    in the descendant, in [0, 1]^2; (0, 0) is its first corner, u runs along its first edge
+/// @param path  which child was taken on each level, as digits to the base of 4, the first one highest
+[[nodiscard]] Vec2 in_ancestor(Vec2 uv, std::int64_t path, int levels);
+
 /// The sharpness that is left one level down.
 [[nodiscard]] Features split_features(const Adjacency& parent, const Features& features,
                                       Split split);

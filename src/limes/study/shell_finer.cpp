@@ -1,0 +1,64 @@
+#include "limes/study/shell_finer.h"
+
+#include <cmath>
+
+#include "limes/core/parallel.h"
+#include "limes/fem/resultant_norm.h"
+#include "limes/subdiv/refine.h"
+#include "limes/subdiv/schemes.h"
+#include "limes/subdiv/split.h"
+
+namespace limes {
+namespace {
+
+Mesh split_mesh(const ShellModel& model, const ShellForest& shell,
+                const std::vector<TiedEdge>& tied, const ForestMesh& mesh, int levels) {
+  const Problem& problem = model.problem;
+  if (problem.mesh.exact)
+    return refined_on_surfaces(problem, *model.mesh, levels, tied,
+                               edges_in_forest(shell.forest, mesh, shell.curves));
+  return refine(
+      *model.mesh, find_scheme(problem.mesh.scheme),
+      {.levels = levels, .boundary = model.mesh->tags.boundary.value_or(BoundaryRule::edges)});
+}
+
+ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,
+                      const Vec2& rs) {
+  return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
+}
+
+}  // namespace
+
+ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
+                       const std::vector<TiedEdge>& tied, const ForestMesh& mesh, int levels) {
+  return shell_model_on(model.problem, split_mesh(model, shell, tied, mesh, levels),
+                        refined_seams(*model.mesh, tied, levels));
+}
+
+std::vector<double> error_against(const ShellModel& finer, const ShellSolution& finer_solution,
+                                  int levels, const ShellModel& model,
+                                  const ShellSolution& solution) {
+  const int num_faces = model.mesh->topology.num_faces();
+  const std::int64_t children = std::int64_t(1) << (2 * levels);
+  std::vector<double> out(static_cast<std::size_t>(num_faces), 0.0);
+  for_each_index(num_faces, [&](std::int64_t i) {
+    for (std::int64_t path = 0; path < children; ++path) {
+      const FaceId child(children * i + path);
+      const ShellQuad quad = finer.quad(child);
+      const double gauss = 1 / std::sqrt(3.0);
+      for (const double r : {-gauss, gauss})
+        for (const double s : {-gauss, gauss}) {
+          const Vec2 uv(0.5 + r / 2, 0.5 + s / 2);
+          const ShellResultants exact = state(finer, finer_solution, child, {r, s});
+          const ShellResultants here =
+              state(model, solution, FaceId(i), 2 * in_ancestor(uv, path, levels) - Vec2(1, 1));
+          out[static_cast<std::size_t>(i)] +=
+              quad.area_normal({r, s}).norm() *
+              energy_between(turned(here, exact.normal), exact, finer.section(child));
+        }
+    }
+  });
+  return out;
+}
+
+}  // namespace limes
