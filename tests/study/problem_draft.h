@@ -122,9 +122,12 @@ class Draft {
       const bool formula = key == "height" || key == "zero";
       set(table, "kind",
           key == "height" ? "\"graph\""
-          : key == "zero" ? "\"formula\""
-                          : "\"cylinder\"");
-      set(table, formula ? key : "radius", "1");
+          : key == "zero"        ? "\"formula\""
+          : key == "angle"       ? "\"cone\""
+          : key == "tube_radius" ? "\"torus\""
+                                 : "\"cylinder\"");
+      set(table, formula || key == "angle" ? key : "radius", "1");
+      if (key == "tube_radius") set(table, key, "0.5");
     }
     if (table == "curve") {
       complete("geometry", "radius");

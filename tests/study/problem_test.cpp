@@ -101,8 +101,12 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.geometry->radius, 10);
   EXPECT_EQ(parse(full_graph()).geometry->height(Vec3(2, 3, 0)), 6);
   const Problem parts = parse(full_parts());
-  ASSERT_EQ(parts.geometry_of_parts.size(), 1U);
+  ASSERT_EQ(parts.geometry_of_parts.size(), 3U);
   EXPECT_EQ(parts.geometry_of_parts[0].part, "floor");
+  EXPECT_EQ(parts.geometry_of_parts[1].kind, GeometrySettings::Kind::cone);
+  EXPECT_EQ(parts.geometry_of_parts[1].angle, 30);
+  EXPECT_EQ(parts.geometry_of_parts[2].kind, GeometrySettings::Kind::torus);
+  EXPECT_EQ(parts.geometry_of_parts[2].tube_radius, 0.5);
   EXPECT_EQ(parts.geometry->zero(Vec3(2, 3, 5)), 12);
   ASSERT_EQ(parts.curves.size(), 1U);
   EXPECT_EQ(parts.curves[0].surface.zero(Vec3(2, 3, 5)), 4);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/subdiv/refinement_step.h"
 
 namespace limes {
@@ -166,6 +167,7 @@ int Forest::refine(std::span<const FaceId> leaves) {
     request(f, wanted, seen);
   }
   for (const std::vector<FaceId>& faces : wanted) {
+    check_interrupt();  // between levels the forest is balanced
     make_children(faces);
     for (const FaceId f : faces)
       faces_[f].split = true;
