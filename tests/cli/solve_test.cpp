@@ -144,6 +144,41 @@ TEST_F(Solve, ResumesToTheSameBytes) {
   }
 }
 
+// Shells: on an exact surface with a curve, with shapes optimised after each step, of parts on a seam, and
+// by the scheme.
+TEST_F(Solve, ResumesShellsToTheSameBytes) {
+  struct Case {
+    const char *problem, *some, *more;
+    std::vector<std::string> changes;
+  };
+  const Case cases[] = {{"hole_5.toml", "1800", "4000", {}},
+                        {"hole_5.toml", "1800", "4000", {"mesh.smoothing=3"}},
+                        {"cylinder_plate_a.toml", "1500", "5000", {"mesh.levels=1"}},
+                        {"i_beam.toml", "3500", "9000", {"mesh.levels=1"}},
+                        {"hole_5_kobbelt.toml", "1800", "3000", {}}};
+  int number = 0;
+  for (const Case& c : cases) {
+    const std::string whole = folder / ("whole" + std::to_string(number));
+    const std::string parts = folder / ("parts" + std::to_string(number++));
+    const auto run = [&](const std::string& out, const char* dofs, bool resume) {
+      std::vector<std::string> arguments{
+          "solve", data_file(c.problem), "-o", out, "--set", std::string("adapt.max_dofs=") + dofs};
+      for (const std::string& change : c.changes)
+        arguments.insert(arguments.end(), {"--set", change});
+      if (resume) arguments.emplace_back("--resume");
+      return run_limes(arguments);
+    };
+    const Result first = run(whole, c.more, false);
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    ASSERT_EQ(run(parts, c.some, false).exit_code, 0);
+    EXPECT_NE(read_file(whole + "/adapt-state.json"), read_file(parts + "/adapt-state.json"));
+    const Result resumed = run(parts, c.more, true);
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+    for (const char* file : {"/result.vtu", "/report.html", "/adapt-state.json"})
+      EXPECT_EQ(read_file(whole + file), read_file(parts + file)) << number << file;
+  }
+}
+
 TEST_F(Solve, ResumesAfterAnInterrupt) {
   const std::string whole = folder / "whole", parts = folder / "parts";
   const std::string file = data_file("l_shape.toml");

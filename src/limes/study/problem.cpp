@@ -70,7 +70,7 @@ void ProblemReader::read_mesh() {
   for (const TableReader& table : tables("mesh")) {
     MeshSettings& mesh = problem_.mesh;
     mesh.line = table.line();
-    std::string file, placement;
+    std::string file, placement, junctions;
     table.read("file", file);
     mesh.file = file;
     table.read("scheme", mesh.scheme);
@@ -79,6 +79,8 @@ void ProblemReader::read_mesh() {
     mesh.exact = placement == "exact";
     if (mesh.exact && !document_.contains("geometry"))
       fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+    table.read("junctions", junctions);
+    problem_.junctions = junctions == "tied";
     table.read("smooth_start", mesh.smooth_start);
     table.read("smoothing", mesh.smoothing);
     if (mesh.smooth_start > 0 && !document_.contains("geometry"))
@@ -92,8 +94,9 @@ void ProblemReader::read_mesh() {
 }
 
 void ProblemReader::read_surfaces() {
-  SurfaceSettings& surfaces = problem_;
-  surfaces = surfaces_in(document_, problem_.file);
+  SurfaceSettings surfaces = surfaces_in(document_, problem_.file);
+  surfaces.junctions = problem_.junctions;
+  static_cast<SurfaceSettings&>(problem_) = std::move(surfaces);
   if (problem_.mesh.exact || problem_.mesh.smooth_start > 0) return;
   for (const TableReader& table : tables("curve"))
     fail(table.place(),
@@ -114,6 +117,7 @@ void ProblemReader::read_model() {
     table.read("shear_factor", model.shear_factor);
     table.read("kink_angle", model.kink_angle);
     table.read("membrane", membrane);
+    table.read("drilling", model.drilling);
     model.assumed_membrane = membrane == "assumed";
     model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
     table.read("kinks", model.kinks);
@@ -123,7 +127,7 @@ void ProblemReader::read_model() {
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
                   "kind = \"mitc4\"");
     else
-      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane"},
+      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane", "drilling"},
                   fmt::format("kind = \"{}\"", kind));
     if (model.kind == ModelKind::poisson)
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_depth"}, "kind = \"poisson\"");
@@ -318,6 +322,9 @@ void ProblemReader::check_model() const {
   }
   if (problem_.mesh.smoothing > 0)
     fail_at(problem_.mesh.line, "smoothing is for shells, [model] kind = \"mitc4\"; remove it");
+  if (problem_.junctions)
+    fail_at(problem_.mesh.line,
+            "junctions are tied in shells, [model] kind = \"mitc4\"; remove the key");
   if (problem_.geometry || !problem_.geometry_of_parts.empty())
     fail_at(problem_.geometry ? problem_.geometry->line : problem_.geometry_of_parts.front().line,
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");

@@ -52,6 +52,7 @@ struct ModelSettings {
   double shear_factor = 5.0 / 6.0;  ///< of shells, > 0
   double kink_angle = 20;           ///< of shells, in degrees
   bool assumed_membrane = false;    ///< of shells: membrane strains are tied, see fem/mitc4.h
+  double drilling = 0;              ///< of shells: factor at kinks, in [0, 1], see fem/drilling.h
   int line = 0;
 };
 

@@ -61,6 +61,13 @@ constexpr std::array keys{
                 "onto the surface of [geometry] (mitc4 only)"},
 
     Key{.table = "mesh",
+        .name = "junctions",
+        .type = ValueType::name,
+        .choices = "refused tied",
+        .initial = "refused",
+        .help = "edges with three faces or more: refused, or cut and tied like a [[seam]] (mitc4 "
+                "only)"},
+    Key{.table = "mesh",
         .name = "smooth_start",
         .type = ValueType::integer,
         .range = from_to(0, 1000),
@@ -194,6 +201,14 @@ constexpr std::array keys{
         .help =
             "mitc4: membrane strains of the displacements, or assumed ones that do not lock thin "
             "warped elements (MITC4+)"},
+
+    Key{.table = "model",
+        .name = "drilling",
+        .type = ValueType::number,
+        .range = from_to(0, 1),
+        .initial = "0",
+        .help = "mitc4: at kinks, stiffness against rotations about a face's normal that are not "
+                "those of its plane, as a part of the shear stiffness"},
 
     Key{.table = "material",
         .name = "where",

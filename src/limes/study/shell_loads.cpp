@@ -1,6 +1,7 @@
 #include "limes/study/shell_loads.h"
 
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -90,7 +91,13 @@ class ShellLoad {
     if (edges.empty())
       throw error(fmt::format(
           "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
+    std::set<std::pair<VertexId, VertexId>> loaded;  // tied edges once
     for (const HalfedgeId h : edges) {
+      if (!loaded
+               .insert(std::minmax(model_.node[model_.adjacency->from(h)],
+                                   model_.node[model_.adjacency->to(h)]))
+               .second)
+        continue;
       const FaceId face = model_.adjacency->face(h);
       const ShellQuad quad = model_.quad(face);
       const int side = model_.adjacency->corner_index(h);

@@ -140,7 +140,9 @@ void require_coincident(const Problem& problem, const Mesh& mesh,
         throw InputError(
             "{}:{}: after refinement the tied vertices {} and {} are {:.6g} apart; the boundary "
             "curves of the parts differ: tag the ends of the seam as corners",
-            problem.file.string(), problem.seams.front().line, e.ends[i].value, e.tied[i].value, d);
+            problem.file.string(),
+            problem.seams.empty() ? problem.mesh.line : problem.seams.front().line, e.ends[i].value,
+            e.tied[i].value, d);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/mesh/junctions.h"
 #include "limes/mesh/measure.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/selection.h"
@@ -77,9 +78,10 @@ std::vector<const GeometrySettings*> geometry_of_faces(const SurfaceSettings& se
 }
 
 std::vector<TiedEdge> seams_of(const SurfaceSettings& settings, const Mesh& control) {
-  std::vector<TiedEdge> out;
-  if (settings.seams.empty()) return out;
+  if (settings.seams.empty() && !settings.junctions) return {};
   const Adjacency adjacency(control.topology);
+  std::vector<TiedEdge> out;
+  if (settings.junctions) out = junction_edges(control, adjacency);
   const double tolerance = 1e-9 * bounding_box(control).diagonal();
   for (const SeamSettings& seam : settings.seams) {
     std::vector<char> touches(seam.parts.size(), 0);
@@ -151,9 +153,9 @@ void require_surfaces(const SurfaceSettings& settings, const Mesh& mesh) {
                      bare - of_face.begin());
 }
 
-std::vector<SurfaceList> settingsof_vertices(const SurfaceSettings& settings, const Mesh& mesh,
-                                             const std::vector<TiedEdge>& tied,
-                                             const std::vector<std::vector<Edge>>& curves) {
+std::vector<SurfaceList> surfaces_of_vertices(const SurfaceSettings& settings, const Mesh& mesh,
+                                              const std::vector<TiedEdge>& tied,
+                                              const std::vector<std::vector<Edge>>& curves) {
   const Topology& t = mesh.topology;
   std::vector<SurfaceList> out(static_cast<std::size_t>(t.num_vertices()));
   const auto at = [&](VertexId v) -> SurfaceList& {
@@ -213,7 +215,7 @@ Placement exact_placement(const SurfaceSettings& settings, const Mesh& control, 
     coarse = refined(coarse);
   // What the vertices in the middle of edges and faces lie on, so do all that are inside them.
   const Mesh fine = refined(coarse);
-  const auto surfaces = settingsof_vertices(settings, fine, tied, curves);
+  const auto surfaces = surfaces_of_vertices(settings, fine, tied, curves);
   const Topology& t = coarse.topology;
   const Adjacency adjacency(t);
   const QuadrisectionIds ids = quadrisection_ids(adjacency);

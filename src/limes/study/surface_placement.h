@@ -21,7 +21,7 @@ using Edge = std::array<VertexId, 2>;
 [[nodiscard]] std::vector<const GeometrySettings*> geometry_of_faces(
     const SurfaceSettings& settings, const Mesh& mesh);
 
-/// The edges that the seams tie in the control mesh.
+/// The edges that the seams tie in the control mesh, and those of its junctions if they are tied.
 /// @throws InputError with the seam's line: a part that is not there, a part that touches no other of
 ///         its seam, or as tie_parts()
 [[nodiscard]] std::vector<TiedEdge> seams_of(const SurfaceSettings& settings, const Mesh& control);

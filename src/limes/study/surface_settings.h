@@ -50,6 +50,7 @@ struct SurfaceSettings {
   std::vector<GeometrySettings> geometry_of_parts;  ///< each names its part, no two the same
   std::vector<CurveSettings> curves;
   std::vector<SeamSettings> seams;
+  bool junctions = false;  ///< edges of three faces or more are seams, see mesh/junctions.h
 };
 
 /// Reads [geometry], [[curve]] and [[seam]] of a file that has these tables of a problem file; others of a
