@@ -5,9 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
-#include "limes/io/io.h"
 #include "limes/mesh/defects.h"
 #include "limes/mesh/measure.h"
 
@@ -64,18 +62,6 @@ TEST(Junctions, EachPageGetsItsOwnEdge) {
   EXPECT_EQ(std::count_if(node.begin(), node.end(), [](VertexId v) { return v.value < 2; }), 6);
 }
 
-TEST(Junctions, IBeamFallsIntoItsFiveStrips) {
-  const Mesh mesh = read_mesh(std::filesystem::path(LIMES_DATA_DIR) / "i_beam.obj").mesh;
-  const CutMesh cut = cut_junctions(mesh);
-  EXPECT_EQ(cut.num_edges, 40);
-  EXPECT_TRUE(is_surface(cut.mesh));
-  EXPECT_EQ(measure(cut.mesh).components, 5);
-  EXPECT_NEAR(measure(cut.mesh).area, 20 * 4, 1e-12);
-  EXPECT_EQ(cut.mesh.tags.corners.size(), 12U);  // only where the junctions end
-  expect_same_places(mesh, cut.mesh);
-  EXPECT_EQ(junction_edges(cut.mesh, Adjacency(cut.mesh.topology)).size(), 3U * 40);
-}
-
 // A stiffener that ends inside a plate cuts it as far as it goes; at its tip the plate holds together.
 TEST(Junctions, EndInsideAPlate) {
   std::vector<Vec3> x;
@@ -114,7 +100,8 @@ TEST(Junctions, WhatIsNoneStays) {
   EXPECT_EQ(cut_junctions(flat).mesh.topology, flat.topology);
   EXPECT_TRUE(junction_edges(flat, Adjacency(flat.topology)).empty());
   // a page that touches the junction with a corner only, and one that is there twice
-  std::vector<Vec3> x(book().points.begin(), book().points.end());
+  const Mesh pages = book();
+  std::vector<Vec3> x(pages.points.begin(), pages.points.end());
   x.insert(x.end(), {{0, -1, 0}, {0, -1, -1}, {0, 0, -1}});
   EXPECT_FALSE(
       is_surface(cut_junctions(make(x, {0, 2, 3, 1, 0, 1, 5, 4, 1, 0, 6, 7, 0, 8, 9, 10})).mesh));
