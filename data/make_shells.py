@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the start meshes of three shell problems into this folder.
+"""Writes the start meshes of shell problems into this folder.
 
 hole_5.obj, hole_2_5.obj: a quarter of the Scordelis-Lo roof (radius 25, length 50, 40 degrees) with a hole
 that is a circle of radius 5 or 2.5 on the developed surface. 4 quads from the hole outwards, 8 around.
@@ -9,6 +9,9 @@ cylinder_plate_3.obj, cylinder_plate_6.obj: a cylinder of radius 3 or 6 that lea
 15 or 30 at 45 degrees, two parts with vertices of their own on the ellipse that they share. The plate has its
 four corners and eight nodes on the ellipse. cylinder_plate_6_quads.obj: the same all of quads, for the scheme
 kobbelt; the plate has the middles of its sides as well.
+
+i_beam.obj: a beam of length 20 whose section is an I: two flanges of width 1 and a web of height 2. The web
+shares its upper and lower vertices with the flanges: edges of three faces. 20 quads along.
 
 twisted_beam.obj: a strip of length 12 and width 1.1, twisted by 90 degrees about its axis. 12 quads along, 2 across.
 twisted_beam_zigzag.obj: the same with inner nodes moved by a quarter of a quad to and fro, along and across.
@@ -97,6 +100,17 @@ def twisted_beam(zigzag, length=12.0, width=1.1, along=12, across=2):
     return points, faces
 
 
+def i_beam(length=20, width=1.0, height=2.0):
+    b, h = width / 2, height / 2
+    section = [(-b, -h), (0.0, -h), (b, -h), (0.0, 0.0), (-b, h), (0.0, h), (b, h)]
+    strips = [(0, 1), (1, 2), (1, 3), (3, 5), (4, 5), (5, 6)]
+    n = len(section)
+    points = [(float(i), *p) for i in range(length + 1) for p in section]
+    faces = [(n * i + p, n * i + q, n * i + n + q, n * i + n + p)
+             for i in range(length) for p, q in strips]
+    return points, faces
+
+
 for a, name in ((5.0, "hole_5.obj"), (2.5, "hole_2_5.obj")):
     write(name, f"A quarter of a roof with a hole of radius {a}", [(None, *hole(a))])
 write("hole_5_2x4.obj", "A quarter of a roof with a hole of radius 5.0", [(None, *hole(5.0, 2, 4))])
@@ -105,5 +119,6 @@ for r, w in ((3.0, 15.0), (6.0, 30.0)):
           cylinder_plate(r, w))
 write("cylinder_plate_6_quads.obj", "A cylinder of radius 6 on a plate of width 30",
       cylinder_plate(6.0, 30.0, quads=True))
+write("i_beam.obj", "A beam whose section is an I, the web on the flanges' vertices", [(None, *i_beam())])
 for zigzag, name in ((0, "twisted_beam.obj"), (0.25, "twisted_beam_zigzag.obj")):
     write(name, "A strip of 12 by 1.1, twisted by 90 degrees", [(None, *twisted_beam(zigzag))])

@@ -11,7 +11,9 @@
 #include "limes/core/text.h"
 #include "limes/limit/forest_limits.h"
 #include "limes/study/leaf_selection.h"
+#include "limes/study/surface_placement.h"
 #include "limes/subdiv/forest_mesh.h"
+#include "limes/subdiv/forest_seams.h"
 #include "memory.h"
 #include "run.h"
 #include "terminal.h"
@@ -25,9 +27,16 @@ struct Grown {
   int rounds = 0;
 };
 
+/// What --surfaces says about a mesh.
+struct ExactSurfaces {
+  SurfaceSettings settings;
+  std::vector<TiedEdge> seams;  ///< edges of the control mesh
+  Placement placement;          ///< refers to the settings
+};
+
 struct AdaptCommand {
   MeshOptions mesh;
-  std::filesystem::path output, constraints;
+  std::filesystem::path output, constraints, surfaces;
   SchemeOptions scheme;
   RunOptions run;
   std::string where, levels;
@@ -38,7 +47,7 @@ struct AdaptCommand {
  private:
   [[nodiscard]] Closure parse_closure() const;
   [[nodiscard]] Grown grow(const Mesh& control, const SchemeChoice& choice, SplitUnit unit,
-                           int rounds) const;
+                           const ExactSurfaces* exact, int rounds) const;
 };
 
 Closure AdaptCommand::parse_closure() const {
@@ -75,18 +84,33 @@ void require_where(const std::string& where) {
   }
 }
 
+/// Puts the vertices of the control mesh on their surfaces, and says how those of the forest get there.
+std::unique_ptr<const ExactSurfaces> place_on_surfaces(const std::filesystem::path& file,
+                                                       Mesh& control) {
+  auto exact = std::make_unique<ExactSurfaces>();
+  exact->settings = read_surfaces(file);
+  exact->seams = seams_of(exact->settings, control);
+  exact->placement = exact_placement(exact->settings, control);
+  place_control(exact->settings, control);
+  return exact;
+}
+
 Grown AdaptCommand::grow(const Mesh& control, const SchemeChoice& choice, SplitUnit unit,
-                         int rounds) const {
+                         const ExactSurfaces* exact, int rounds) const {
   Progress progress(fmt::format("refining {}", mesh.file.string()), rounds);
   const Scheme& used = *choice.scheme;
   Grown grown{Forest(control, used, choice.options_for(control, 0), unit,
-                     has_exact_limit(used) ? forest_limits(used) : LimitsOf())};
+                     has_exact_limit(used) && !exact ? forest_limits(used) : LimitsOf(),
+                     exact ? exact->placement : Placement())};
+  // Paths that join control faces with an odd number of split sides must not end at a seam.
+  const bool all_at_first = exact && !exact->seams.empty() && unit == SplitUnit::families;
   LeafSelection selection(grown.forest, where);
   for (; grown.rounds < rounds; ++grown.rounds) {
     check_interrupt();
     const std::vector<FaceId> marked = selection.leaves(grown.forest);
     if (marked.empty()) break;
-    grown.forest.refine(marked);
+    grown.forest.refine(all_at_first && grown.rounds == 0 ? grown.forest.leaves() : marked);
+    if (exact) match_seams(grown.forest, exact->seams);
     progress.advance();
   }
   return grown;
@@ -123,6 +147,10 @@ void AdaptCommand::operator()() const {
   const int rounds = parse_levels(levels);
   const Closure kind = parse_closure();
   const SchemeChoice choice = choose_adaptive_scheme(scheme);
+  if (!surfaces.empty() && choice.scheme->name != "linear")
+    throw UsageError(
+        "--surfaces: vertices start halfway between others, then go onto their surface; right is "
+        "--scheme linear");
   require_where(where);
   check_mesh_output(output, run);
   if (!constraints.empty()) {
@@ -130,9 +158,11 @@ void AdaptCommand::operator()() const {
       throw UsageError("--constraints: only --closure hanging leaves vertices inside sides");
     check_output(constraints, run, {".csv"});
   }
-  const Mesh control = load_refinable_mesh(mesh);
+  Mesh control = load_refinable_mesh(mesh);
+  const auto exact = surfaces.empty() ? nullptr : place_on_surfaces(surfaces, control);
   const SplitUnit unit = kind == Closure::conforming ? SplitUnit::families : SplitUnit::faces;
-  Grown grown = naming_file(mesh.file, [&] { return grow(control, choice, unit, rounds); });
+  Grown grown =
+      naming_file(mesh.file, [&] { return grow(control, choice, unit, exact.get(), rounds); });
   if (grown.rounds < rounds)
     remark(fmt::format("{}: nothing was split from round {} on: no face is meant by {}",
                        mesh.file.string(), grown.rounds + 1, quote(where)));
@@ -172,6 +202,11 @@ void add_adapt(CLI::App& program) {
                  "Also write the vertices that hang and the ends of\ntheir sides: .csv")
       ->option_text("FILE")
       ->group(files_group);
+  app.add_option("--surfaces", command->surfaces,
+                 "Put the vertices on exact surfaces: the tables\n[geometry], [[curve]], [[seam]] "
+                 "of a problem file; .toml")
+      ->option_text("FILE")
+      ->group(files_group);
   add_scheme_options(app, command->scheme);
   app.add_option("--where", command->where,
                  "Which faces to split: a condition in x y z that all\n"
@@ -192,8 +227,8 @@ void add_adapt(CLI::App& program) {
       ->group(work_group);
   add_run_options(app, command->run);
   app.footer(
-      "Schemes: catmull-clark, kobbelt, linear. Vertices lie on the limit surface of the mesh. "
-      "Faces\n"
+      "Schemes: catmull-clark, kobbelt, linear. Vertices lie on the limit surface of the mesh, or "
+      "with\n--surfaces on exact ones. Faces "
       "that share a vertex differ by one level at most, so more is split than was asked for.\n\n"
       "  limes adapt torus.obj -o local.vtu --scheme kobbelt --where 'x > 0' --levels 3");
   app.final_callback([command] { (*command)(); });

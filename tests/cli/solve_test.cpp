@@ -176,6 +176,37 @@ TEST_F(Solve, ShowsTheErrorOfEveryElement) {
     }
 }
 
+// Shells: on an exact surface with curves, with shapes optimised after each step, of parts on a seam, with
+// junctions, and by the scheme.
+TEST_F(Solve, ResumesShellsToTheSameBytes) {
+  const std::vector<std::vector<std::string>> cases{
+      {"hole_5.toml"},
+      {"hole_5.toml", "mesh.smoothing=3"},
+      {"cylinder_plate_a.toml", "mesh.levels=2", "adapt.share=0.1"},
+      {"i_beam.toml", "mesh.levels=1", "adapt.share=0.1"},
+      {"hole_5_kobbelt.toml"}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string whole = folder / ("whole" + std::to_string(i));
+    const std::string parts = folder / ("parts" + std::to_string(i));
+    const auto run = [&](const std::string& out, const char* steps, bool resume) {
+      std::vector<std::string> arguments{"solve", data_file(cases[i][0]),
+                                         "-o",    out,
+                                         "--set", std::string("adapt.max_steps=") + steps};
+      for (std::size_t k = 1; k < cases[i].size(); ++k)
+        arguments.insert(arguments.end(), {"--set", cases[i][k]});
+      if (resume) arguments.emplace_back("--resume");
+      const Result result = run_limes(arguments);
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    run(whole, "3", false);
+    run(parts, "2", false);
+    EXPECT_NE(read_file(whole + "/adapt-state.json"), read_file(parts + "/adapt-state.json"));
+    run(parts, "3", true);
+    for (const char* file : {"/result.vtu", "/report.html", "/adapt-state.json"})
+      EXPECT_EQ(read_file(whole + file), read_file(parts + file)) << cases[i][0] << file;
+  }
+}
+
 TEST_F(Solve, ResumesAfterAnInterrupt) {
   const std::string whole = folder / "whole", parts = folder / "parts";
   const std::string file = data_file("l_shape.toml");

@@ -121,10 +121,13 @@ class Draft {
       set("model", "kind", "\"mitc4\"");
       const bool formula = key == "height" || key == "zero";
       set(table, "kind",
-          key == "height" ? "\"graph\""
-          : key == "zero" ? "\"formula\""
-                          : "\"cylinder\"");
-      set(table, formula ? key : "radius", "1");
+          key == "height"        ? "\"graph\""
+          : key == "zero"        ? "\"formula\""
+          : key == "angle"       ? "\"cone\""
+          : key == "tube_radius" ? "\"torus\""
+                                 : "\"cylinder\"");
+      set(table, formula || key == "angle" ? key : "radius", "1");
+      if (key == "tube_radius") set(table, key, "0.5");
     }
     if (table == "curve") {
       complete("geometry", "radius");
@@ -140,7 +143,8 @@ class Draft {
       set("model", "kind", "\"mitc4\"");
       set(table, "parts", "[\"a\", \"b\"]");
     }
-    if (key == "shear_factor" || key == "kink_angle" || key == "membrane")
+    if (key == "shear_factor" || key == "kink_angle" || key == "membrane" || key == "drilling" ||
+        key == "junctions")
       set("model", "kind", "\"mitc4\"");
     if (table == "support" && (key == "kind" || key == "rotation")) {
       set("model", "kind", "\"mitc4\"");

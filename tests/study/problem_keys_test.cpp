@@ -179,7 +179,7 @@ TEST(ProblemKeys, EveryRangeHasItsEnds) {
       EXPECT_FALSE(accepts(key.range.high + step)) << name;
     }
   }
-  EXPECT_EQ(ranges, 19);
+  EXPECT_EQ(ranges, 22);
 }
 
 }  // namespace

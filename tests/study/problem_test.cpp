@@ -101,8 +101,12 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.geometry->radius, 10);
   EXPECT_EQ(parse(full_graph()).geometry->height(Vec3(2, 3, 0)), 6);
   const Problem parts = parse(full_parts());
-  ASSERT_EQ(parts.geometry_of_parts.size(), 1U);
+  ASSERT_EQ(parts.geometry_of_parts.size(), 3U);
   EXPECT_EQ(parts.geometry_of_parts[0].part, "floor");
+  EXPECT_EQ(parts.geometry_of_parts[1].kind, GeometrySettings::Kind::cone);
+  EXPECT_EQ(parts.geometry_of_parts[1].angle, 30);
+  EXPECT_EQ(parts.geometry_of_parts[2].kind, GeometrySettings::Kind::torus);
+  EXPECT_EQ(parts.geometry_of_parts[2].tube_radius, 0.5);
   EXPECT_EQ(parts.geometry->zero(Vec3(2, 3, 5)), 12);
   ASSERT_EQ(parts.curves.size(), 1U);
   EXPECT_EQ(parts.curves[0].surface.zero(Vec3(2, 3, 5)), 4);
@@ -112,6 +116,9 @@ TEST(Problem, ReadsWhatOnlyShellsHave) {
   EXPECT_EQ(p.model.shear_factor, 1);
   EXPECT_EQ(p.model.kink_angle, 45);
   EXPECT_TRUE(p.model.assumed_membrane);
+  EXPECT_EQ(p.model.drilling, 0.25);
+  EXPECT_TRUE(p.junctions);
+  EXPECT_FALSE(parts.junctions);
   ASSERT_EQ(p.supports.size(), 2U);
   EXPECT_EQ(p.supports[0].kind, SupportKind::supported);
   EXPECT_TRUE(p.supports[0].hard);
@@ -182,6 +189,11 @@ TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
     expect_message(message_of<InputError>(text + fmt::format("[geometry]\nkind = \"{}\"\n", kind)),
                    "p.toml:11: [geometry] ", {"is missing; a ", kind});
   const auto with = [&](const std::string& more) { return message_of<InputError>(text + more); };
+  Draft tied;
+  tied.set("mesh", "junctions", "\"tied\"");
+  expect_message(message_of<InputError>(tied.text()),
+                 fmt::format("p.toml:{}: junctions are tied in shells", tied.line("mesh", "")),
+                 {"mitc4"});
   expect_message(with("[geometry]\nkind = \"sphere\"\nradius = 1\n"),
                  "p.toml:11: [geometry] is for shells", {"mitc4"});
   expect_message(with("[[support]]\nwhere = \"all\"\nkind = \"clamped\"\n"),
@@ -197,7 +209,8 @@ TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
 
 TEST(Problem, KeysOfAnotherKindAreRefused) {
   const std::string plane = Draft().text();
-  for (const char* key : {"shear_factor = 1", "kink_angle = 20", "membrane = \"assumed\""}) {
+  for (const char* key :
+       {"shear_factor = 1", "kink_angle = 20", "membrane = \"assumed\"", "drilling = 0.5"}) {
     std::string text = plane;
     text.insert(text.find("kind"), std::string(key) + "\n");
     expect_message(message_of<InputError>(text),
@@ -226,6 +239,7 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"mesh scheme", p.mesh.scheme},
       {"mesh levels", fmt::format("{}", p.mesh.levels)},
       {"mesh placement", p.mesh.exact ? "exact" : "scheme"},
+      {"mesh junctions", p.junctions ? "tied" : "refused"},
       {"mesh smooth_start", fmt::format("{}", p.mesh.smooth_start)},
       {"mesh smoothing", fmt::format("{}", p.mesh.smoothing)},
       {"model boundary", p.model.boundary == FieldBoundary::free ? "free" : "phantom"},
@@ -236,6 +250,7 @@ TEST(Problem, TheSmallestOneHasTheDefaultsOfTheTable) {
       {"geometry axis", vector(geometry.axis)},
       {"model shear_factor", p.model.shear_factor == 5.0 / 6.0 ? "5/6" : "?"},
       {"model kink_angle", fmt::format("{}", p.model.kink_angle)},
+      {"model drilling", fmt::format("{}", p.model.drilling)},
       {"model membrane", p.model.assumed_membrane ? "assumed" : "displacement"},
       {"support rotation", p.supports.at(0).hard ? "hard" : "soft"},
       {"material thickness", fmt::format("{}", p.materials.at(0).thickness)},

@@ -69,6 +69,16 @@ TEST(Mitc4Limit, ClosedHemisphereDoesNotLock) {
   EXPECT_LT(error("5"), 0.001);
 }
 
+// Kirchhoff-Love limit 0.0935216; this theory 0.2 % above it, once elements are smaller than the thickness.
+TEST(Mitc4Limit, HemisphereWithAHole) {
+  const auto error = [](const char* level) {
+    const ShellResult r = solve_file("hemisphere_hole.toml", {std::string("mesh.levels=") + level});
+    return std::abs(r.probes.front().displacement.x() / 0.0935216 - 1);
+  };
+  EXPECT_LT(error("4"), 0.01);
+  EXPECT_LT(error("5"), 0.003);
+}
+
 // Partly clamped, thickness over length 1/100, 1/1000, 1/10000: MITC16 of Bathe, Iosilevich, Chapelle 2000.
 TEST(Mitc4Limit, HyparDoesNotLock) {
   for (const auto& [thickness, deflected] :

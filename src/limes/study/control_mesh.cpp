@@ -1,5 +1,9 @@
 #include "limes/study/control_mesh.h"
 
+#include <fmt/format.h>
+
+#include "limes/core/text.h"
+#include "limes/mesh/junctions.h"
 #include "limes/mesh/repair.h"
 
 namespace limes {
@@ -11,6 +15,14 @@ std::filesystem::path mesh_path(const Problem& problem) {
 
 MeshFile read_control_mesh(const Problem& problem, const ModelOptions& options) {
   MeshFile file = read_mesh(mesh_path(problem));
+  if (problem.junctions) {
+    CutMesh cut = cut_junctions(file.mesh);
+    file.mesh = std::move(cut.mesh);
+    if (cut.num_edges > 0)
+      file.remarks.push_back(fmt::format(
+          "{}: cut along {} with three faces or more, and tied there", mesh_path(problem).string(),
+          counted(static_cast<std::size_t>(cut.num_edges), "edge", "edges")));
+  }
   if (options.repair) {
     RepairResult repaired = repair(file.mesh);
     file.mesh = std::move(repaired.mesh);

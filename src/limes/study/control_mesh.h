@@ -14,7 +14,7 @@ struct ModelOptions {
 /// The mesh file, meant from the problem file's folder.
 [[nodiscard]] std::filesystem::path mesh_path(const Problem& problem);
 
-/// The control mesh, with remarks of the reader and on what was mended.
+/// The control mesh, cut along its junctions if these are tied, with remarks of the reader and on what was mended.
 /// @throws InputError as read_mesh() and repair()
 [[nodiscard]] MeshFile read_control_mesh(const Problem& problem, const ModelOptions& options);
 

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "limes/core/error.h"
 
@@ -14,14 +15,34 @@ using Kind = GeometrySettings::Kind;
 /// From the nearest point of the axis, or from the centre, to x.
 Vec3 arm(const GeometrySettings& surface, const Vec3& x) {
   Vec3 d = x - surface.point;
-  if (surface.kind == Kind::cylinder) {
+  double size = surface.radius;
+  if (surface.kind == Kind::cone) size = d.norm();
+  if (surface.kind != Kind::sphere) {
     const Vec3 axis = surface.axis.normalized();
     d -= d.dot(axis) * axis;
   }
-  if (!(d.norm() > 1e-9 * surface.radius))
+  if (!(d.norm() > 1e-9 * size))
     throw InputError(
         "a vertex at ({:.6g}, {:.6g}, {:.6g}) is on the axis or at the centre of [geometry]; no "
         "point of the surface is nearest to it",
+        x.x(), x.y(), x.z());
+  return d;
+}
+
+/// Unit vector in the plane of the axis and x, turned from the axis towards x: by a cone's angle it runs
+/// along the cone, by 90 degrees more it is the cone's normal.
+Vec3 turned_from_axis(const GeometrySettings& cone, const Vec3& x, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return std::sin(angle) * arm(cone, x).normalized() + std::cos(angle) * cone.axis.normalized();
+}
+
+/// From the nearest point of the circle in the middle of a torus's tube to x.
+Vec3 arm_in_tube(const GeometrySettings& torus, const Vec3& x) {
+  const Vec3 d = x - (torus.point + torus.radius * arm(torus, x).normalized());
+  if (!(d.norm() > 1e-9 * torus.tube_radius))
+    throw InputError(
+        "a vertex at ({:.6g}, {:.6g}, {:.6g}) is in the middle of the tube of [geometry]; no point "
+        "of the surface is nearest to it",
         x.x(), x.y(), x.z());
   return d;
 }
@@ -80,6 +101,14 @@ Residual residual(const GeometrySettings& surface, const Vec3& x) {
                          x.x(), x.y(), x.z());
       return {value_of(surface.zero, x) / g.norm(), g.normalized()};
     }
+    case Kind::cone: {
+      const Vec3 n = turned_from_axis(surface, x, surface.angle + 90);
+      return {(x - surface.point).dot(n), n};
+    }
+    case Kind::torus: {
+      const Vec3 d = arm_in_tube(surface, x);
+      return {d.norm() - surface.tube_radius, d.normalized()};
+    }
     case Kind::cylinder:
     case Kind::sphere:
       break;
@@ -124,6 +153,15 @@ Vec3 project(const GeometrySettings& surface, const Vec3& x) {
     case Kind::formula: {
       const GeometrySettings* const one = &surface;
       return project(std::span(&one, 1), x);
+    }
+    case Kind::cone: {
+      if (x == surface.point) return x;  // the apex
+      const Vec3 along = turned_from_axis(surface, x, surface.angle);
+      return surface.point + std::max(0.0, (x - surface.point).dot(along)) * along;
+    }
+    case Kind::torus: {
+      const Vec3 d = arm_in_tube(surface, x);
+      return x + (surface.tube_radius / d.norm() - 1) * d;
     }
     case Kind::cylinder:
     case Kind::sphere:

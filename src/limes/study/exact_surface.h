@@ -2,11 +2,11 @@
 
 #include <span>
 
-#include "limes/study/problem.h"
+#include "limes/study/surface_settings.h"
 
 namespace limes {
 
-/// The nearest point of the exact surface; of a graph the one above or below, of a formula the one that
+/// The nearest point of the exact surface (of a cone its apex, where that is nearest); of a graph the one above or below, of a formula the one that
 /// steps along its gradient lead to.
 /// @throws InputError "what" if x is on the axis or at the centre, where no point is nearest, or the
 ///         steps lead nowhere
@@ -22,7 +22,7 @@ namespace limes {
 [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> directions_on(
     std::span<const GeometrySettings* const> surfaces, const Vec3& x);
 
-/// Unit normal at (or above) a point, away from the axis or centre, or to where a formula grows.
+/// Unit normal at (or above) a point, away from the axis, centre or middle of the tube, or to where a formula grows.
 [[nodiscard]] Vec3 outward_normal(const GeometrySettings& surface, const Vec3& x);
 
 }  // namespace limes

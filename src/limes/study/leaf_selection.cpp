@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/core/text.h"
 
 namespace limes {
@@ -50,7 +51,9 @@ LeafSelection::LeafSelection(const Forest& forest, std::string_view where)
 
 std::vector<FaceId> LeafSelection::leaves(const Forest& forest) {
   std::vector<FaceId> chosen;
+  int since_check = 0;
   for (const FaceId f : forest.leaves()) {
+    if (since_check++ % 4096 == 0) check_interrupt();
     const auto corners = forest.corners(f);
     const bool meant =
         condition_

@@ -7,6 +7,7 @@
 #include "limes/core/error.h"
 #include "limes/core/text.h"
 #include "limes/study/problem_overrides.h"
+#include "limes/study/problem_surfaces.h"
 #include "limes/study/problem_table.h"
 #include "limes/study/toml_document.h"
 
@@ -25,14 +26,6 @@ SupportKind support_kind(std::string_view name) {
   return SupportKind::listed;
 }
 
-/// For keys that mean nothing to the kind that the table names.
-void refuse_keys(const TableReader& table, std::string_view name,
-                 std::initializer_list<std::string_view> keys, std::string_view whose) {
-  for (const std::string_view key : keys)
-    if (table.has(key))
-      fail(table.place(key), fmt::format("[{}] {} is no key of {}; remove it", name, key, whose));
-}
-
 /// The tables of a document, one kind after the other.
 class ProblemReader {
  public:
@@ -43,14 +36,13 @@ class ProblemReader {
   Problem read();
 
  private:
-  [[nodiscard]] std::vector<TableReader> tables(std::string_view name) const;
+  [[nodiscard]] std::vector<TableReader> tables(std::string_view name) const {
+    return tables_of(document_, name, file_);
+  }
   void read_top();
   void read_mesh();
   void read_model();
-  [[nodiscard]] GeometrySettings geometry_of(const TableReader& table) const;
-  void read_geometry();
-  void read_curves();
-  void read_seams();
+  void read_surfaces();
   void read_materials();
   void read_periodic();
   void read_supports();
@@ -65,34 +57,6 @@ class ProblemReader {
   Problem problem_;
 };
 
-/// All tables of that name: none, one, or a list.
-std::vector<TableReader> ProblemReader::tables(std::string_view name) const {
-  const Table& table = *find_table(name);
-  const toml::node* const node = document_.get(name);
-  if (!node) {
-    if (table.need == Need::required)
-      fail({file_}, fmt::format("{} is missing: {}", written(table), table.help));
-    return {};
-  }
-  const Place where = place_of(*node, file_);
-  if (const toml::table* values = node->as_table()) {
-    if (table.form == TableForm::list)
-      fail(where, fmt::format("there may be several {0}; write {0}", written(table)));
-    return {TableReader(*values, table, file_)};
-  }
-  const toml::array* const list = node->as_array();
-  if (!list || table.form == TableForm::single)
-    fail(where, fmt::format("{} is no table; write [{}]", name, name));
-  if (list->empty()) fail(where, fmt::format("{} is an empty list", name));
-  std::vector<TableReader> result;
-  for (const toml::node& entry : *list) {
-    if (!entry.is_table())
-      fail(place_of(entry, file_), fmt::format("{} is a list of tables; write [[{}]]", name, name));
-    result.emplace_back(*entry.as_table(), table, file_);
-  }
-  return result;
-}
-
 void ProblemReader::read_top() {
   const TableReader top(document_, Table{}, file_);
   top.read("title", problem_.title);
@@ -106,7 +70,7 @@ void ProblemReader::read_mesh() {
   for (const TableReader& table : tables("mesh")) {
     MeshSettings& mesh = problem_.mesh;
     mesh.line = table.line();
-    std::string file, placement;
+    std::string file, placement, junctions;
     table.read("file", file);
     mesh.file = file;
     table.read("scheme", mesh.scheme);
@@ -115,6 +79,8 @@ void ProblemReader::read_mesh() {
     mesh.exact = placement == "exact";
     if (mesh.exact && !document_.contains("geometry"))
       fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+    table.read("junctions", junctions);
+    problem_.junctions = junctions == "tied";
     table.read("smooth_start", mesh.smooth_start);
     table.read("smoothing", mesh.smoothing);
     if (mesh.smooth_start > 0 && !document_.contains("geometry"))
@@ -127,81 +93,14 @@ void ProblemReader::read_mesh() {
   }
 }
 
-GeometrySettings ProblemReader::geometry_of(const TableReader& table) const {
-  using Kind = GeometrySettings::Kind;
-  GeometrySettings geometry;
-  geometry.line = table.line();
-  std::string kind;
-  table.read("kind", kind);
-  geometry.kind = kind == "sphere"    ? Kind::sphere
-                  : kind == "plane"   ? Kind::plane
-                  : kind == "graph"   ? Kind::graph
-                  : kind == "formula" ? Kind::formula
-                                      : Kind::cylinder;
-  const char* const needed = kind == "graph"     ? "height"
-                             : kind == "formula" ? "zero"
-                             : kind == "plane"   ? "axis"
-                                                 : "radius";
-  if (!table.has(needed))
-    fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, kind));
-  if (table.has("part")) table.read("part", geometry.part.emplace());
-  table.read("height", geometry.height);
-  table.read("zero", geometry.zero);
-  table.read("point", geometry.point);
-  table.read("axis", geometry.axis);
-  table.read("radius", geometry.radius);
-  if (kind == "sphere") refuse_keys(table, "geometry", {"axis", "height", "zero"}, "a sphere");
-  if (kind == "cylinder") refuse_keys(table, "geometry", {"height", "zero"}, "a cylinder");
-  if (kind == "plane") refuse_keys(table, "geometry", {"radius", "height", "zero"}, "a plane");
-  if (kind == "graph")
-    refuse_keys(table, "geometry", {"point", "axis", "radius", "zero"}, "a graph");
-  if (kind == "formula")
-    refuse_keys(table, "geometry", {"point", "axis", "radius", "height"}, "a formula");
-  if (!(geometry.axis.norm() > 0))
-    fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
-  return geometry;
-}
-
-void ProblemReader::read_geometry() {
-  for (const TableReader& table : tables("geometry")) {
-    GeometrySettings geometry = geometry_of(table);
-    const GeometrySettings* other = nullptr;
-    if (!geometry.part && problem_.geometry) other = &*problem_.geometry;
-    for (const GeometrySettings& g : problem_.geometry_of_parts)
-      if (g.part == geometry.part) other = &g;
-    if (other)
-      fail(table.place("part"),
-           fmt::format("this [[geometry]] is for the same part as that of line {}; a part has one",
-                       other->line));
-    if (geometry.part)
-      problem_.geometry_of_parts.push_back(std::move(geometry));
-    else
-      problem_.geometry = std::move(geometry);
-  }
-}
-
-void ProblemReader::read_curves() {
-  for (const TableReader& table : tables("curve")) {
-    CurveSettings& curve = problem_.curves.emplace_back();
-    curve.line = curve.surface.line = table.line();
-    curve.where_line = table.line("where");
-    curve.surface.kind = GeometrySettings::Kind::formula;
-    table.read("where", curve.where);
-    table.read("zero", curve.surface.zero);
-    if (!problem_.mesh.exact && problem_.mesh.smooth_start == 0)
-      fail(table.place(),
-           "a [[curve]] places vertices; it needs [mesh] placement = \"exact\" or smooth_start");
-  }
-}
-
-void ProblemReader::read_seams() {
-  for (const TableReader& table : tables("seam")) {
-    SeamSettings& seam = problem_.seams.emplace_back();
-    seam.line = table.line();
-    table.read("parts", seam.parts);
-    if (seam.parts.size() < 2)
-      fail(table.place("parts"), "[[seam]] parts has one part; a seam ties two or more");
-  }
+void ProblemReader::read_surfaces() {
+  SurfaceSettings surfaces = surfaces_in(document_, problem_.file);
+  surfaces.junctions = problem_.junctions;
+  static_cast<SurfaceSettings&>(problem_) = std::move(surfaces);
+  if (problem_.mesh.exact || problem_.mesh.smooth_start > 0) return;
+  for (const TableReader& table : tables("curve"))
+    fail(table.place(),
+         "a [[curve]] places vertices; it needs [mesh] placement = \"exact\" or smooth_start");
 }
 
 void ProblemReader::read_model() {
@@ -218,6 +117,7 @@ void ProblemReader::read_model() {
     table.read("shear_factor", model.shear_factor);
     table.read("kink_angle", model.kink_angle);
     table.read("membrane", membrane);
+    table.read("drilling", model.drilling);
     model.assumed_membrane = membrane == "assumed";
     model.boundary = boundary == "phantom" ? FieldBoundary::phantom : FieldBoundary::free;
     table.read("kinks", model.kinks);
@@ -227,7 +127,7 @@ void ProblemReader::read_model() {
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
                   "kind = \"mitc4\"");
     else
-      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane"},
+      refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane", "drilling"},
                   fmt::format("kind = \"{}\"", kind));
     if (model.kind == ModelKind::poisson)
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_depth"}, "kind = \"poisson\"");
@@ -435,6 +335,9 @@ void ProblemReader::check_model() const {
   }
   if (problem_.mesh.smoothing > 0)
     fail_at(problem_.mesh.line, "smoothing is for shells, [model] kind = \"mitc4\"; remove it");
+  if (problem_.junctions)
+    fail_at(problem_.mesh.line,
+            "junctions are tied in shells, [model] kind = \"mitc4\"; remove the key");
   if (problem_.geometry || !problem_.geometry_of_parts.empty())
     fail_at(problem_.geometry ? problem_.geometry->line : problem_.geometry_of_parts.front().line,
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
@@ -456,9 +359,7 @@ Problem ProblemReader::read() {
   read_top();
   read_mesh();
   read_model();
-  read_geometry();
-  read_curves();
-  read_seams();
+  read_surfaces();
   read_materials();
   read_periodic();
   read_supports();

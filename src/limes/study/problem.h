@@ -10,6 +10,7 @@
 #include "limes/adapt/marking.h"
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
+#include "limes/study/surface_settings.h"
 #include "limes/subdiv/closure.h"
 
 namespace limes {
@@ -26,33 +27,6 @@ struct MeshSettings {
   /// Sweeps in which the shapes of elements are optimised (shells only): of the control mesh on
   /// [geometry], and after each refinement.
   int smooth_start = 0, smoothing = 0;
-  int line = 0;
-};
-
-/// A surface that is known exactly; shells take vertices and directors from it.
-struct GeometrySettings {
-  enum class Kind { cylinder, sphere, plane, graph, formula };
-  Kind kind = Kind::cylinder;
-  std::optional<std::string>
-      part;                   ///< whose surface it is; nothing: of all parts without their own
-  Vec3 point = Vec3::Zero();  ///< of the axis or plane, or the centre
-  Vec3 axis = Vec3::UnitZ();  ///< of a cylinder, normal of a plane; of any length > 0
-  double radius = 1;          ///< > 0
-  Expression height;          ///< z of a graph
-  Expression zero;            ///< of a formula: zero on the surface
-  int line = 0;
-};
-
-/// A curve on the exact surface that boundary edges follow.
-struct CurveSettings {
-  std::string where;         ///< selects the boundary edges of the control mesh
-  GeometrySettings surface;  ///< a formula; the curve is where it meets the part's own surface
-  int line = 0, where_line = 0;
-};
-
-/// Parts tied along the boundary polygons that they share.
-struct SeamSettings {
-  std::vector<std::string> parts;  ///< two or more
   int line = 0;
 };
 
@@ -79,6 +53,7 @@ struct ModelSettings {
   double shear_factor = 5.0 / 6.0;  ///< of shells, > 0
   double kink_angle = 20;           ///< of shells, in degrees
   bool assumed_membrane = false;    ///< of shells: membrane strains are tied, see fem/mitc4.h
+  double drilling = 0;              ///< of shells: factor at kinks, in [0, 1], see fem/drilling.h
   int line = 0;
 };
 
@@ -150,15 +125,10 @@ struct UnitSettings {
   std::string length, force;
 };
 
-struct Problem {
-  std::filesystem::path file;
+struct Problem : SurfaceSettings {
   std::string title;
   UnitSettings units;
   MeshSettings mesh;
-  std::optional<GeometrySettings> geometry;         ///< of all parts that have none of their own
-  std::vector<GeometrySettings> geometry_of_parts;  ///< each names its part, no two the same
-  std::vector<CurveSettings> curves;
-  std::vector<SeamSettings> seams;
   std::vector<MaterialSettings> materials;  ///< at least one
   ModelSettings model;
   std::optional<PeriodicSettings> periodic;

@@ -61,6 +61,13 @@ constexpr std::array keys{
                 "onto the surface of [geometry] (mitc4 only)"},
 
     Key{.table = "mesh",
+        .name = "junctions",
+        .type = ValueType::name,
+        .choices = "refused tied",
+        .initial = "refused",
+        .help = "edges with three faces or more: refused, or cut and tied like a [[seam]] (mitc4 "
+                "only)"},
+    Key{.table = "mesh",
         .name = "smooth_start",
         .type = ValueType::integer,
         .range = from_to(0, 1000),
@@ -80,7 +87,7 @@ constexpr std::array keys{
         .name = "kind",
         .type = ValueType::name,
         .need = Need::required,
-        .choices = "cylinder sphere plane graph formula",
+        .choices = "cylinder sphere plane cone torus graph formula",
         .help = "of the exact surface"},
     Key{.table = "geometry",
         .name = "part",
@@ -89,17 +96,33 @@ constexpr std::array keys{
         .name = "point",
         .type = ValueType::point,
         .initial = "[0, 0, 0]",
-        .help = "a point of the cylinder's axis or of the plane, the sphere's centre"},
+        .help =
+            "a point of the cylinder's axis or of the plane, the centre of the sphere or torus, "
+            "the cone's apex"},
     Key{.table = "geometry",
         .name = "axis",
         .type = ValueType::point,
         .initial = "[0, 0, 1]",
-        .help = "direction of the cylinder's axis; normal of the plane, required there"},
+        .help =
+            "direction of the axis of the cylinder or torus, of the cone from its apex; normal of "
+            "the plane, required there"},
     Key{.table = "geometry",
         .name = "radius",
         .type = ValueType::number,
         .range = above(0),
-        .help = "of the cylinder or sphere, in the middle of the thickness; required there"},
+        .help =
+            "of the cylinder or sphere, in the middle of the thickness, or of the circle in the "
+            "middle of the torus's tube; required there"},
+    Key{.table = "geometry",
+        .name = "tube_radius",
+        .type = ValueType::number,
+        .range = above(0),
+        .help = "of the torus's tube, less than radius; required there"},
+    Key{.table = "geometry",
+        .name = "angle",
+        .type = ValueType::number,
+        .range = between(0, 90),
+        .help = "degrees between the cone's axis and the cone; required there"},
     Key{.table = "geometry",
         .name = "height",
         .type = ValueType::formula,
@@ -178,6 +201,14 @@ constexpr std::array keys{
         .help =
             "mitc4: membrane strains of the displacements, or assumed ones that do not lock thin "
             "warped elements (MITC4+)"},
+
+    Key{.table = "model",
+        .name = "drilling",
+        .type = ValueType::number,
+        .range = from_to(0, 1),
+        .initial = "0",
+        .help = "mitc4: at kinks, stiffness against rotations about a face's normal that are not "
+                "those of its plane, as a part of the shear stiffness"},
 
     Key{.table = "material",
         .name = "where",

@@ -246,4 +246,39 @@ void TableReader::read(std::string_view name, Mat2& value) const {
   }
 }
 
+std::vector<TableReader> tables_of(const toml::table& document, std::string_view name,
+                                   std::string_view file) {
+  const Table& table = *find_table(name);
+  const toml::node* const node = document.get(name);
+  if (!node) {
+    if (table.need == Need::required)
+      fail({std::string(file)}, fmt::format("{} is missing: {}", written(table), table.help));
+    return {};
+  }
+  const Place where = place_of(*node, file);
+  if (const toml::table* values = node->as_table()) {
+    if (table.form == TableForm::list)
+      fail(where, fmt::format("there may be several {0}; write {0}", written(table)));
+    return {TableReader(*values, table, file)};
+  }
+  const toml::array* const list = node->as_array();
+  if (!list || table.form == TableForm::single)
+    fail(where, fmt::format("{} is no table; write [{}]", name, name));
+  if (list->empty()) fail(where, fmt::format("{} is an empty list", name));
+  std::vector<TableReader> result;
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table())
+      fail(place_of(entry, file), fmt::format("{} is a list of tables; write [[{}]]", name, name));
+    result.emplace_back(*entry.as_table(), table, file);
+  }
+  return result;
+}
+
+void refuse_keys(const TableReader& table, std::string_view name,
+                 std::initializer_list<std::string_view> keys, std::string_view whose) {
+  for (const std::string_view key : keys)
+    if (table.has(key))
+      fail(table.place(key), fmt::format("[{}] {} is no key of {}; remove it", name, key, whose));
+}
+
 }  // namespace limes::problem_file

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,5 +69,13 @@ class TableReader {
   Table table_;
   std::string_view file_;
 };
+
+/// All tables of that name: none, one, or a list. @throws as fail() for one that is required and missing
+[[nodiscard]] std::vector<TableReader> tables_of(const toml::table& document, std::string_view name,
+                                                 std::string_view file);
+
+/// For keys that mean nothing to the kind that the table names.
+void refuse_keys(const TableReader& table, std::string_view name,
+                 std::initializer_list<std::string_view> keys, std::string_view whose);
 
 }  // namespace limes::problem_file

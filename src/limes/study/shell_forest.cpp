@@ -12,13 +12,12 @@ namespace {
 
 /// Uniform steps before the forest takes over: it needs quads, and splits those of a seam in any case, which
 /// a closure without hanging nodes might not do on both sides.
-int levels_before(const Problem& problem, const Mesh& control) {
+int levels_before(const Problem& problem, const Mesh& control, bool is_tied) {
   const Topology& t = control.topology;
   int before = 0;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4) before = 1;
-  const int least =
-      before + (problem.seams.empty() || split_unit(problem) == SplitUnit::faces ? 0 : 1);
+  const int least = before + (is_tied && split_unit(problem) == SplitUnit::families ? 1 : 0);
   if (problem.mesh.levels < least)
     throw InputError("{}:{}: [adapt] needs levels of {} or more here{}", problem.file.string(),
                      problem.mesh.line, least,
@@ -30,7 +29,8 @@ int levels_before(const Problem& problem, const Mesh& control) {
 
 ShellForest shell_forest(const Problem& problem, const Mesh& control) {
   require_shell_control(problem, control);
-  const int before = levels_before(problem, control);
+  const std::vector<TiedEdge> seams = seams_of(problem, control);
+  const int before = levels_before(problem, control, !seams.empty());
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   RefineOptions options{.levels = before,
                         .boundary = control.tags.boundary.value_or(BoundaryRule::edges)};
@@ -46,8 +46,8 @@ ShellForest shell_forest(const Problem& problem, const Mesh& control) {
   ShellForest out{
       Forest(start, exact ? find_scheme("linear") : scheme, options, split_unit(problem), {},
              exact ? exact_placement(problem, control, before) : Placement()),
-      refined_seams(control, seams_of(problem, control), before),
-      curve_edges(problem, control, before), wanted_areas(control, before)};
+      refined_seams(control, seams, before), curve_edges(problem, control, before),
+      wanted_areas(control, before)};
   for (int level = before; level < problem.mesh.levels; ++level)
     out.forest.refine(out.forest.leaves());
   return out;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -51,10 +52,17 @@ class ShellLoad {
   /// That a force per length acts on.
   [[nodiscard]] std::vector<HalfedgeId> edges() const {
     if (load_.kind != LoadKind::force_per_length) return {};
-    std::vector<HalfedgeId> out = chosen_.boundary_edges();
-    if (out.empty())
+    const std::vector<HalfedgeId> chosen = chosen_.boundary_edges();
+    if (chosen.empty())
       throw error(fmt::format(
           "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
+    std::vector<HalfedgeId> out;
+    std::set<std::pair<VertexId, VertexId>> loaded;  // tied edges once
+    for (const HalfedgeId h : chosen) {
+      const VertexId a = model_.node[model_.adjacency->from(h)],
+                     b = model_.node[model_.adjacency->to(h)];
+      if (loaded.insert(std::minmax(a, b)).second) out.push_back(h);
+    }
     return out;
   }
   /// That a force per area or volume, or a pressure acts on.

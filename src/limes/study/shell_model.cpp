@@ -1,5 +1,7 @@
 #include "limes/study/shell_model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -64,6 +66,18 @@ IdArray<HalfedgeId, Vec3> face_normals(const ShellModel& model, const std::strin
     }
   }
   return out;
+}
+
+/// Like require_refinable(), but says what can be done with junctions.
+void require_surface(const Mesh& mesh, const std::string& file) {
+  for (const Defect& defect : find_defects(mesh)) {
+    if (!blocks_refinement(defect.kind)) continue;
+    if (defect.kind == DefectKind::non_manifold_edge)
+      throw InputError("{}: {}; [mesh] junctions = \"tied\" makes it a junction of shells",
+                       defect.line > 0 ? fmt::format("{}:{}", file, defect.line) : file,
+                       defect.message);
+    require_refinable(mesh, file);  // throws
+  }
 }
 
 /// Optimises the shapes of elements; the vertices of the control mesh stay, others slide on the surface
@@ -148,7 +162,8 @@ void join_directors(ShellModel& model) {
     model.smooth[VertexId(v)] = model.smooth[model.node[VertexId(v)]];
 }
 
-void set_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal) {
+void set_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_normal,
+                   bool is_tied) {
   const Problem& problem = model.problem;
   Directors directors = mean_directors(*model.adjacency, corner_normal, problem.model.kink_angle);
   model.director = std::move(directors.at_corner);
@@ -157,7 +172,7 @@ void set_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& corner_no
     set_exact_directors(model, corner_normal);
     model.smooth = IdArray<VertexId, char>(static_cast<std::size_t>(model.smooth.size()), 1);
   }
-  if (!problem.geometry_of_parts.empty() || !problem.seams.empty()) join_directors(model);
+  if (!problem.geometry_of_parts.empty() || is_tied) join_directors(model);
 }
 
 void set_size(ShellModel& model) {
@@ -201,7 +216,7 @@ ShellModel model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdg
   set_size(model);
   require_coincident(problem, *model.mesh, tied, model.diagonal);
   model.node = tied_nodes(model.mesh->topology.num_vertices(), tied);
-  set_directors(model, normal.empty() ? flat : normal);
+  set_directors(model, normal.empty() ? flat : normal, !tied.empty());
   set_materials(model);
   return model;
 }
@@ -239,7 +254,7 @@ void ShellModel::scatter(FaceId face, const ShellVector& element, VectorX& out) 
 
 void require_shell_control(const Problem& problem, const Mesh& control) {
   const std::string file = mesh_path(problem).string();
-  require_refinable(control, file);
+  require_surface(control, file);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   if (scheme.split != Split::quads || !(has_exact_limit(scheme) || scheme.interpolatory))
     throw InputError(

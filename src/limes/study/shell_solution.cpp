@@ -5,6 +5,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/fem/drilling.h"
 #include "limes/limit/closest_point.h"
 #include "limes/solve/linear.h"
 #include "limes/study/shell_hanging.h"
@@ -105,6 +106,17 @@ double load_size(const VectorX& f) {
   return sum;
 }
 
+/// With drilling stiffness at the nodes on kinks; the others have no rotation about their director.
+ShellMatrix element_stiffness(const ShellModel& model, FaceId f) {
+  const ShellMatrix K = mitc4_stiffness(model.quad(f), model.section(f));
+  const double factor = model.problem.model.drilling;
+  if (factor == 0) return K;
+  std::array<bool, 4> on_kink{};
+  for (std::size_t i = 0; i < 4; ++i)
+    on_kink[i] = !model.smooth[model.mesh->topology.face(f)[i]];
+  return K + drilling_stiffness(model.quad(f), model.section(f), on_kink, factor);
+}
+
 }  // namespace
 
 SparseMatrix shell_matrix(const ShellModel& model) {
@@ -112,8 +124,7 @@ SparseMatrix shell_matrix(const ShellModel& model) {
   const int n = t.num_faces();
   std::vector<ShellMatrix> element(static_cast<std::size_t>(n));
   for_each_index(n, [&](std::int64_t f) {
-    element[static_cast<std::size_t>(f)] =
-        mitc4_stiffness(model.quad(FaceId(f)), model.section(FaceId(f)));
+    element[static_cast<std::size_t>(f)] = element_stiffness(model, FaceId(f));
   });
   std::vector<Triplet> entries;
   entries.reserve(static_cast<std::size_t>(n) * 576);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/core/interrupt.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/schemes.h"
 
@@ -272,6 +273,7 @@ int Forest::refine(std::span<const FaceId> leaves) {
     ++num_split;
   }
   for (const std::vector<FaceId>& faces : levels) {
+    check_interrupt();  // between levels the forest is balanced
     make_children(faces);
     for (const FaceId f : faces)
       faces_[f].split = true;

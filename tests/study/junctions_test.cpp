@@ -1,0 +1,186 @@
+// Junctions of shells: an I-beam against the theories of bending and torsion, and edges of three faces
+// against parts that a seam ties.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "convergence/plane_meshes.h"
+#include "limes/core/error.h"
+#include "limes/io/io.h"
+#include "limes/mesh/junctions.h"
+#include "limes/mesh/measure.h"
+#include "limes/study/run.h"
+
+namespace limes {
+namespace {
+
+ShellResult solve_file(const std::string& name, std::vector<std::string> overrides = {}) {
+  ShellResult result =
+      run_shell_problem(read_problem(std::filesystem::path(LIMES_DATA_DIR) / name, overrides));
+  for (const SolutionCheck& c : result.checks)
+    EXPECT_TRUE(c.passed()) << c.name << ' ' << c.value;
+  return result;
+}
+
+/// The section of data/i_beam.obj.
+struct Section {
+  double E = 1e7, G = E / 2.6, t = 0.05, b = 1, h = 2, L = 20;
+};
+
+// Timoshenko's beam: P L^3 / 3 E I + P L / (G A_s), with the shear flow q = V Q / I of a thin-walled section,
+// 1 / A_s = integral of Q^2 / t over I^2: Q = t h s / 2 along each half flange, plus t (h^2/4 - z^2) / 2 in
+// the web.
+double bent(const Section& s) {
+  const double I = s.t * s.h * s.h * s.h / 12 + 2 * s.b * s.t * s.h * s.h / 4;
+  const double flange = std::pow(s.t * s.h / 2, 2) * std::pow(s.b / 2, 3) / 3 / s.t;
+  double web = 0;
+  constexpr int n = 1000;
+  for (int i = 0; i < n; ++i) {
+    const double z = s.h * ((i + 0.5) / n - 0.5);
+    web += std::pow(s.t * s.b * s.h / 2 + s.t * (s.h * s.h / 4 - z * z) / 2, 2) / s.t * s.h / n;
+  }
+  const double over_shear_area = (4 * flange + web) / (I * I);
+  return s.L * s.L * s.L / (3 * s.E * I) + s.L * over_shear_area / s.G;
+}
+
+// Vlasov's: G J phi' - E C phi''' = T with phi' = 0 at the clamped end and phi'' = 0 at the other. J of a flange
+// is that of a rectangle, (b - 0.63 t) t^3 / 3 [timoshenko_goodier].
+double twisted(const Section& s) {
+  const double J = (2 * (s.b - 0.63 * s.t) + s.h) * s.t * s.t * s.t / 3;
+  const double C = s.t * s.b * s.b * s.b / 12 * s.h * s.h / 2;
+  const double k = std::sqrt(s.G * J / (s.E * C));
+  return (s.L - std::tanh(k * s.L) / k) / (s.G * J);
+}
+
+TEST(IBeam, BendsAsTimoshenkosBeam) {
+  const ShellResult r = solve_file("i_beam.toml");
+  EXPECT_NEAR(-r.probes.at(0).displacement.z() / bent({}), 1, 0.01);
+  EXPECT_EQ(r.solution.num_kink_nodes, 2 * 81);
+  EXPECT_NEAR(r.solution.reactions.at(0).resultant.force.z(), 1, 1e-8);
+}
+
+TEST(IBeam, TwistsAsVlasovsBeam) {
+  const ShellResult r = solve_file("i_beam_torsion.toml", {"mesh.levels=3"});
+  EXPECT_NEAR(-r.probes.at(0).displacement.y() / twisted({}), 1, 0.02);
+  EXPECT_NEAR(r.solution.reactions.at(0).resultant.moment.x(), -1, 1e-7);
+}
+
+// What a stiffness against drilling changes, over six decades of its factor.
+TEST(Drilling, ChangesLittleInTheIBeam) {
+  for (const char* name : {"i_beam.toml", "i_beam_torsion.toml"}) {
+    const double none = solve_file(name).solution.strain_energy;
+    for (const auto& [factor, bound] :
+         {std::pair("1e-6", 1e-6), std::pair("1e-3", 1e-3), std::pair("1", 1e-2)}) {
+      const double energy =
+          solve_file(name, {std::string("model.drilling=") + factor}).solution.strain_energy;
+      EXPECT_LE(energy, none * (1 + 1e-10)) << name << factor;
+      EXPECT_NEAR(energy / none, 1, bound) << name << factor;
+    }
+  }
+}
+
+// Only where the junctions end the pieces have corners.
+TEST(Junctions, IBeamFallsIntoItsFiveStrips) {
+  const Mesh mesh = read_mesh(std::filesystem::path(LIMES_DATA_DIR) / "i_beam.obj").mesh;
+  const CutMesh cut = cut_junctions(mesh);
+  EXPECT_EQ(cut.num_edges, 40);
+  EXPECT_EQ(measure(cut.mesh).components, 5);
+  EXPECT_NEAR(measure(cut.mesh).area, 20 * 4, 1e-12);
+  EXPECT_EQ(cut.mesh.tags.corners.size(), 12U);
+  EXPECT_EQ(junction_edges(cut.mesh, Adjacency(cut.mesh.topology)).size(), 3U * 40);
+}
+
+const std::string text = R"([mesh]
+file = "m.obj"
+scheme = "linear"
+[model]
+kind = "mitc4"
+[material]
+young = 12e6
+poisson = 0
+thickness = 0.01
+[[support]]
+where = "abs(x) == 1"
+kind = "clamped"
+[[load]]
+where = "z == 1"
+force_per_length = [1, 0, 2]
+[[load]]
+where = "z == 0 and x == 0"
+force_per_length = [0, 0, 3]
+)";
+
+/// A floor, clamped at x = -1 and 1, and a wall on the line in its middle; with common vertices there, or
+/// in parts.
+Mesh tee(int n, bool in_parts) {
+  std::vector<Vec3> x;
+  std::vector<int> quads;
+  std::vector<FaceGroup> parts;
+  for (const Vec3& along : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+    const int first = static_cast<int>(x.size());
+    const auto at = [&](int i, int j) { return i == 0 && !in_parts ? j : first + 2 * i + j; };
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= 1; ++j)
+        x.emplace_back(double(i) / n * along + Vec3(0, 0.1 * j, 0));
+    parts.push_back({parts.empty() ? "left" : parts.size() == 1 ? "right" : "wall", {}});
+    for (int i = 0; i < n; ++i) {
+      parts.back().faces.emplace_back(static_cast<int>(quads.size() / 4));
+      quads.insert(quads.end(), {at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i, 1)});
+    }
+  }
+  Mesh mesh = testing::make_mesh(std::move(x), std::move(quads));
+  mesh.parts = std::move(parts);
+  return mesh;
+}
+
+ShellSolution solved(const std::string& more, Mesh mesh,
+                     const char* override = "model.drilling=0") {
+  const Problem problem = parse_problem(text + more, "p.toml", std::vector<std::string>{override});
+  return solve_shell(build_shell_model(problem, std::move(mesh)));
+}
+
+// Cut edges are as a seam; a load along them acts once.
+TEST(Junctions, AreAsPartsOnASeam) {
+  const ShellSolution parts =
+      solved("[[seam]]\nparts = [\"left\", \"right\", \"wall\"]\n", tee(8, true));
+  const ShellSolution cut = solved("", cut_junctions(tee(8, false)).mesh, "mesh.junctions=tied");
+  EXPECT_EQ(parts.num_unknowns, cut.num_unknowns);
+  EXPECT_EQ(cut.num_kink_nodes, 2);
+  EXPECT_NEAR(cut.strain_energy / parts.strain_energy, 1, 1e-9);
+  EXPECT_NEAR(cut.loads.force.z(), 0.1 * (2 + 3), 1e-12);
+  EXPECT_NEAR(parts.loads.force.z(), 0.1 * (2 + 3), 1e-12);
+}
+
+TEST(Junctions, AreRefusedUnlessTheyAreTied) {
+  try {
+    (void)solved("", tee(2, false));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        "m.obj: edge 1-0 has 3 faces (0, 2, 4); at most two can be joined; [mesh] junctions = "
+        "\"tied\" makes it a junction of shells");
+  }
+}
+
+// Schemes bend the pieces alike, and so the seam stays closed. Catmull-Clark rounds the flanges' corners.
+TEST(Junctions, StayClosedUnderEveryScheme) {
+  for (const char* scheme : {"linear", "kobbelt", "catmull-clark"}) {
+    const ShellResult r =
+        solve_file("i_beam.toml", {std::string("mesh.scheme=") + scheme, "mesh.levels=1"});
+    EXPECT_EQ(r.solution.num_kink_nodes, 2 * 41) << scheme;
+    EXPECT_NEAR(-r.probes.at(0).displacement.z() / bent({}), 1, 0.08) << scheme;
+  }
+}
+
+// Refined where the error is: both sides of the junctions are split alike.
+TEST(Junctions, CanBeRefinedAdaptively) {
+  const ShellResult r =
+      solve_file("i_beam.toml", {"mesh.levels=1", "adapt.max_dofs=12000", "adapt.share=0.3"});
+  EXPECT_NEAR(-r.probes.at(0).displacement.z() / bent({}), 1, 0.01);
+}
+
+}  // namespace
+}  // namespace limes
