@@ -24,7 +24,7 @@ struct FaceAncestry {
   friend bool operator==(const FaceAncestry&, const FaceAncestry&) = default;
 };
 
-/// Which faces are split together.
+/// Which quads are split together; triangles are split each alone.
 enum class SplitUnit {
   families,  ///< below the control faces, four siblings: what a closure by quads needs
   faces      ///< each alone
