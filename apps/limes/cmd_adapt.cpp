@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "commands.h"
 #include "files.h"
@@ -12,6 +14,7 @@
 #include "limes/limit/forest_limits.h"
 #include "limes/study/leaf_selection.h"
 #include "limes/study/surface_placement.h"
+#include "limes/subdiv/bisection_forest.h"
 #include "limes/subdiv/forest_mesh.h"
 #include "limes/subdiv/forest_seams.h"
 #include "memory.h"
@@ -21,10 +24,11 @@
 namespace limes::app {
 namespace {
 
-/// A forest and in how many rounds it grew.
+/// What was refined, in how many rounds, and a mesh made of it.
 struct Grown {
-  Forest forest;
   int rounds = 0;
+  std::vector<int> leaves_by_level;
+  ForestMesh made;
 };
 
 /// What --surfaces says about a mesh.
@@ -34,35 +38,41 @@ struct ExactSurfaces {
   Placement placement;          ///< refers to the settings
 };
 
+using SplitLeaves = std::function<void(const std::vector<FaceId>&)>;
+
 struct AdaptCommand {
   MeshOptions mesh;
   std::filesystem::path output, constraints, surfaces;
   SchemeOptions scheme;
   RunOptions run;
   std::string where, levels;
-  std::string closure = "conforming";
+  std::string closure;
+  bool bisect = false;
 
   void operator()() const;
 
  private:
   [[nodiscard]] Closure parse_closure() const;
-  [[nodiscard]] Grown grow(const Mesh& control, const SchemeChoice& choice, SplitUnit unit,
+  void require_bisection(const SchemeChoice& choice) const;
+  [[nodiscard]] Grown grow(const Mesh& control, const SchemeChoice& choice, Closure kind,
                            const ExactSurfaces* exact, int rounds) const;
+  void grow(const LocalRefinement& forest, int rounds, const SplitLeaves& split,
+            Grown& grown) const;
 };
 
 Closure AdaptCommand::parse_closure() const {
-  if (closure == "conforming") return Closure::conforming;
+  if (closure.empty() || closure == "conforming") return Closure::conforming;
   if (closure == "triangles") return Closure::triangles;
   if (closure == "hanging") return Closure::hanging;
   throw UsageError("--closure: there is no closure {}; known are conforming, triangles, hanging",
                    quote(closure));
 }
 
-int parse_levels(const std::string& levels) {
+int parse_levels(const std::string& levels, int most) {
   const int rounds = parse_whole_number("--levels", levels, 0);
-  if (rounds > Forest::max_level)
+  if (rounds > most)
     throw UsageError("--levels: {} is more than {}, the most levels that a face can have", rounds,
-                     Forest::max_level);
+                     most);
   return rounds;
 }
 
@@ -95,29 +105,20 @@ std::unique_ptr<const ExactSurfaces> place_on_surfaces(const std::filesystem::pa
   return exact;
 }
 
-Grown AdaptCommand::grow(const Mesh& control, const SchemeChoice& choice, SplitUnit unit,
-                         const ExactSurfaces* exact, int rounds) const {
-  Progress progress(fmt::format("refining {}", mesh.file.string()), rounds);
-  const Scheme& used = *choice.scheme;
-  Grown grown{Forest(control, used, choice.options_for(control, 0), unit,
-                     has_exact_limit(used) && !exact ? forest_limits(used) : LimitsOf(),
-                     exact ? exact->placement : Placement())};
-  // Paths that join control faces with an odd number of split sides must not end at a seam.
-  const bool all_at_first = exact && !exact->seams.empty() && unit == SplitUnit::families;
-  LeafSelection selection(grown.forest, where);
-  for (; grown.rounds < rounds; ++grown.rounds) {
-    check_interrupt();
-    const std::vector<FaceId> marked = selection.leaves(grown.forest);
-    if (marked.empty()) break;
-    grown.forest.refine(all_at_first && grown.rounds == 0 ? grown.forest.leaves() : marked);
-    if (exact) match_seams(grown.forest, exact->seams);
-    progress.advance();
-  }
-  return grown;
+/// Bisection moves no vertex and needs no closure.
+void AdaptCommand::require_bisection(const SchemeChoice& choice) const {
+  if (choice.scheme->patch != LimitPatch::bilinear)
+    throw UsageError("--bisect: halves are placed by the scheme linear only, not by {}",
+                     choice.scheme->name);
+  if (!closure.empty() && closure != "conforming")
+    throw UsageError(
+        "--closure: bisection leaves nothing to close; with --bisect it is conforming");
+  if (!surfaces.empty())
+    throw UsageError("--surfaces: halves stay halfway between others; leave --bisect out");
 }
 
 /// Leaves of a forest on each level.
-std::vector<int> leaves_by_level(const Forest& forest) {
+std::vector<int> leaves_by_level(const LocalRefinement& forest) {
   std::vector<int> count;
   for (const FaceId f : forest.leaves()) {
     const auto level = static_cast<std::size_t>(forest.ancestry(f).level);
@@ -125,6 +126,47 @@ std::vector<int> leaves_by_level(const Forest& forest) {
     ++count[level];
   }
   return count;
+}
+
+void AdaptCommand::grow(const LocalRefinement& forest, int rounds, const SplitLeaves& split,
+                        Grown& grown) const {
+  Progress progress(fmt::format("refining {}", mesh.file.string()), rounds);
+  LeafSelection selection(forest, where);
+  for (; grown.rounds < rounds; ++grown.rounds) {
+    check_interrupt();
+    const std::vector<FaceId> marked = selection.leaves(forest);
+    if (marked.empty()) break;
+    split(marked);
+    progress.advance();
+  }
+  check_interrupt();
+  grown.leaves_by_level = leaves_by_level(forest);
+}
+
+Grown AdaptCommand::grow(const Mesh& control, const SchemeChoice& choice, Closure kind,
+                         const ExactSurfaces* exact, int rounds) const {
+  Grown grown;
+  if (bisect) {
+    BisectionForest forest(control);
+    grow(
+        forest, rounds, [&](const auto& marked) { forest.refine(marked); }, grown);
+    grown.made = forest_mesh(forest);
+    return grown;
+  }
+  const Scheme& used = *choice.scheme;
+  Forest forest(control, used, choice.options_for(control, 0),
+                kind == Closure::conforming ? SplitUnit::families : SplitUnit::faces,
+                has_exact_limit(used) && !exact ? forest_limits(used) : LimitsOf(),
+                exact ? exact->placement : Placement());
+  // Paths that join control faces with an odd number of split sides must not end at a seam.
+  const bool all_at_first = exact && !exact->seams.empty() && forest.unit() == SplitUnit::families;
+  const auto split = [&](const std::vector<FaceId>& marked) {
+    forest.refine(all_at_first && grown.rounds == 0 ? forest.leaves() : marked);
+    if (exact) match_seams(forest, exact->seams);
+  };
+  grow(forest, rounds, split, grown);
+  grown.made = forest_mesh(forest, kind);
+  return grown;
 }
 
 /// One row for each hanging vertex.
@@ -144,13 +186,14 @@ void remark_on_ancestry(const std::filesystem::path& output) {
 
 void AdaptCommand::operator()() const {
   const Run current(run);
-  const int rounds = parse_levels(levels);
+  const int rounds = parse_levels(levels, bisect ? BisectionForest::max_level : Forest::max_level);
   const Closure kind = parse_closure();
   const SchemeChoice choice = choose_adaptive_scheme(scheme);
   if (!surfaces.empty() && choice.scheme->name != "linear")
     throw UsageError(
         "--surfaces: vertices start halfway between others, then go onto their surface; right is "
         "--scheme linear");
+  if (bisect) require_bisection(choice);
   require_where(where);
   check_mesh_output(output, run);
   if (!constraints.empty()) {
@@ -160,26 +203,24 @@ void AdaptCommand::operator()() const {
   }
   Mesh control = load_refinable_mesh(mesh);
   const auto exact = surfaces.empty() ? nullptr : place_on_surfaces(surfaces, control);
-  const SplitUnit unit = kind == Closure::conforming ? SplitUnit::families : SplitUnit::faces;
-  Grown grown =
-      naming_file(mesh.file, [&] { return grow(control, choice, unit, exact.get(), rounds); });
+  const Grown grown =
+      naming_file(mesh.file, [&] { return grow(control, choice, kind, exact.get(), rounds); });
   if (grown.rounds < rounds)
     remark(fmt::format("{}: nothing was split from round {} on: no face is meant by {}",
                        mesh.file.string(), grown.rounds + 1, quote(where)));
   check_interrupt();
-  const ForestMesh made = forest_mesh(grown.forest, kind);
-  check_interrupt();
+  const ForestMesh& made = grown.made;
   if (!constraints.empty()) write_file(constraints, to_csv(made.hanging));
   save_mesh(output, made.mesh);
   remark_on_ancestry(output);
 
   const int vertices = made.mesh.topology.num_vertices();
   const int faces = made.mesh.topology.num_faces();
-  const std::vector<int> leaves = leaves_by_level(grown.forest);
+  const std::vector<int>& leaves = grown.leaves_by_level;
   if (run.json)
     print_object({{"vertices", vertices},
                   {"faces", faces},
-                  {"leaves", grown.forest.leaves().size()},
+                  {"leaves", std::accumulate(leaves.begin(), leaves.end(), 0)},
                   {"leaves_by_level", leaves},
                   {"hanging_vertices", made.hanging.size()},
                   {"seconds", current.seconds()},
@@ -193,7 +234,7 @@ void AdaptCommand::operator()() const {
 
 void add_adapt(CLI::App& program) {
   const auto command = std::make_shared<AdaptCommand>();
-  CLI::App& app = *program.add_subcommand("adapt", "Refine a quad mesh in places");
+  CLI::App& app = *program.add_subcommand("adapt", "Refine a mesh in places");
   add_output_option(app, command->output,
                     "Mesh to write: .vtu or .ply, which keep ancestry;\n"
                     ".obj, .off or .stl");
@@ -220,15 +261,20 @@ void add_adapt(CLI::App& program) {
       ->group(work_group);
   app.add_option("--closure", command->closure,
                  "What happens where levels meet [conforming]\n"
-                 "  conforming  quads only, no vertex inside a side\n"
+                 "  conforming  quads only, of triangles triangles only;\n"
+                 "              no vertex inside a side\n"
                  "  triangles   triangles in the coarser face\n"
                  "  hanging     vertices inside sides remain")
       ->option_text("KIND")
       ->group(work_group);
+  app.add_flag("--bisect", command->bisect,
+               "Halve triangles, which other faces are cut into\nfirst: 4-8 meshes, always "
+               "conforming; linear only")
+      ->group(work_group);
   add_run_options(app, command->run);
   app.footer(
-      "Schemes: catmull-clark, kobbelt, linear. Vertices lie on the limit surface of the mesh, or "
-      "with\n--surfaces on exact ones. Faces "
+      "Schemes: catmull-clark, kobbelt, linear for quads, loop, butterfly, linear for triangles.\n"
+      "Vertices lie on the limit surface of the mesh, or with --surfaces on exact ones. Faces\n"
       "that share a vertex differ by one level at most, so more is split than was asked for.\n\n"
       "  limes adapt torus.obj -o local.vtu --scheme kobbelt --where 'x > 0' --levels 3");
   app.final_callback([command] { (*command)(); });

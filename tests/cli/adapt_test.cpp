@@ -156,7 +156,16 @@ TEST(Adapt, RefusesWhatItCannotTake) {
   const std::string out = folder / "x.ply";
   expect_failure(run_limes(adapt("rook.obj", out, "catmull-clark", "x > 0", "2")), 3,
                  "rook.obj: face 640 has 3 corners; local refinement needs quads");
-  expect_failure(run_limes(adapt("cube.obj", out, "loop", "x > 0", "2")), 2, "--scheme: loop");
+  expect_failure(run_limes(adapt("cube.obj", out, "loop", "x > 0", "2")), 3,
+                 "cube.obj: face 0 has 4 corners; local refinement by loop needs triangles");
+  expect_failure(
+      run_limes(adapt("rook.obj", out, "linear", "x > 0", "2")), 3,
+      "rook.obj: face 640 has 3 corners; local refinement needs quads, which one step of "
+      "refine makes, or triangles only");
+  expect_failure(run_limes(adapt("gallery/torus.obj", out, "kobbelt", "x > 0", "2")), 3,
+                 "torus.obj: face 0 has 3 corners");
+  expect_failure(run_limes(adapt("gallery/torus.obj", out, "sqrt3", "x > 0", "2")), 2,
+                 "--scheme: sqrt3 does not split faces into four");
   expect_failure(run_limes(adapt("cube.obj", out, "linear", "x >", "2")), 2, "--where: formula");
   expect_failure(run_limes(adapt("cube.obj", out, "linear", "boundary", "2")), 2,
                  "--where: 'boundary' means vertices");
@@ -189,6 +198,79 @@ TEST(Adapt, RefusesARuleOfTheFileThatDropsFaces) {
                        "--where", "all", "--levels", "1", "--boundary", "edges"})
                 .exit_code,
             0);
+}
+
+int faces_of_size(const Mesh& mesh, int size) {
+  int count = 0;
+  for (int f = 0; f < mesh.topology.num_faces(); ++f)
+    count += mesh.topology.face_size(FaceId(f)) == size ? 1 : 0;
+  return count;
+}
+
+/// Red-green refinement by each scheme; with `all` the mesh of refine, on its limit.
+TEST(Adapt, RefinesTriangles) {
+  const TempFolder folder;
+  for (const char* scheme : {"loop", "butterfly", "linear"}) {
+    const Result result =
+        run_limes(adapt("gallery/torus.obj", folder / "a.ply", scheme, "x > 0.5 and z > -1", "3"));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Mesh mesh = read_mesh(folder / "a.ply").mesh;
+    EXPECT_EQ(faces_of_size(mesh, 3), mesh.topology.num_faces());
+    EXPECT_GT(nlohmann::json::parse(result.out)["leaves"], 96);
+    EXPECT_EQ(measure(mesh).euler, 0);
+    EXPECT_EQ(measure(mesh).boundary_loops, 0);
+  }
+  ASSERT_EQ(run_limes(adapt("gallery/torus.obj", folder / "a.ply", "loop", "all", "2")).exit_code,
+            0);
+  ASSERT_EQ(run_limes({"refine", data_file("gallery/torus.obj"), "-o", folder / "r.ply", "--scheme",
+                       "loop", "--levels", "2", "--limit"})
+                .exit_code,
+            0);
+  const Mesh ours = read_mesh(folder / "a.ply").mesh, uniform = read_mesh(folder / "r.ply").mesh;
+  ASSERT_EQ(ours.topology.num_faces(), uniform.topology.num_faces());
+  for (int f = 0; f < ours.topology.num_faces(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      ASSERT_LE((ours.points[ours.topology.face(FaceId(f))[i]] -
+                 uniform.points[uniform.topology.face(FaceId(f))[i]])
+                    .norm(),
+                1e-14);
+}
+
+TEST(Adapt, LeavesVerticesOfTrianglesHanging) {
+  const TempFolder folder;
+  auto arguments = adapt("gallery/torus.obj", folder / "a.ply", "loop", "x > 0.5 and z > -1", "2");
+  arguments.insert(arguments.end(), {"--closure", "hanging", "--constraints", folder / "a.csv"});
+  const Result result = run_limes(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["faces"], json["leaves"]);
+  EXPECT_GT(json["hanging_vertices"], 0);
+}
+
+/// Each quad of a cube becomes four triangles, which are then halved across its sides.
+TEST(Adapt, Bisects) {
+  const TempFolder folder;
+  auto arguments = adapt("cube.obj", folder / "a.ply", "linear", "all", "2");
+  arguments.emplace_back("--bisect");
+  ASSERT_EQ(run_limes(arguments).exit_code, 0);
+  const Mesh all = read_mesh(folder / "a.ply").mesh;
+  EXPECT_EQ(all.topology.num_faces(), 48);
+  EXPECT_EQ(all.topology.num_vertices(), 8 + 6 + 12);
+
+  arguments = adapt("cube.obj", folder / "b.vtu", "linear", corner_of_cube, "12");
+  arguments.emplace_back("--bisect");
+  const Result local = run_limes(arguments);
+  ASSERT_EQ(local.exit_code, 0) << local.err;
+  EXPECT_EQ(nlohmann::json::parse(local.out)["hanging_vertices"], 0);
+
+  arguments.insert(arguments.end(), {"--closure", "hanging"});
+  expect_failure(run_limes(arguments), 2, "bisection leaves nothing to close");
+  arguments = adapt("gallery/torus.obj", folder / "b.vtu", "loop", "all", "2");
+  arguments.emplace_back("--bisect");
+  expect_failure(run_limes(arguments), 2, "--bisect: halves are placed by the scheme linear only");
+  arguments = adapt("cube.obj", folder / "b.vtu", "linear", "all", "41");
+  arguments.emplace_back("--bisect");
+  expect_failure(run_limes(arguments), 2, "--levels: 41 is more than 40");
 }
 
 /// Work that would take minutes ends soon, and leaves nothing behind.

@@ -76,7 +76,7 @@ int num_edges(const Mesh& mesh) {
 /// One face of an octahedron is split: the others at its corners stay, since they are on level 0. Three
 /// neighbours have one split side and become two triangles: 4 + 3 * 2 + 4 = 14; three new vertices.
 TEST(TriangleForest, CountsOnAnOctahedron) {
-  Forest forest(octahedron(), find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(octahedron(), find_scheme("linear"), {});
   EXPECT_EQ(forest.refine(std::array{FaceId(0)}), 1);
   EXPECT_EQ(forest.leaves().size(), 11U);
   const Mesh once = forest_mesh(forest, Closure::conforming).mesh;
@@ -99,7 +99,7 @@ TEST(TriangleForest, CountsOnAnOctahedron) {
 
 /// The middle child needs the three faces across the sides, and no others.
 TEST(TriangleForest, TheMiddleNeedsTheFacesAcrossTheSides) {
-  Forest forest(octahedron(), find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(octahedron(), find_scheme("linear"), {});
   forest.refine(std::array{FaceId(0)});
   EXPECT_EQ(forest.refine(std::array{leaf_at(forest, {FaceId(0), 1, 3})}), 4);
   // Three faces share two sides each with split faces, the one opposite none: 3 * 3 + 1. Level 1: 15
@@ -112,7 +112,7 @@ TEST(TriangleForest, TheMiddleNeedsTheFacesAcrossTheSides) {
 /// Three split sides make four triangles, as the forest would.
 TEST(TriangleForest, AFaceBetweenThreeSplitFacesBecomesRed) {
   const Mesh control = octahedron();
-  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(control, find_scheme("linear"), {});
   forest.refine(std::array{FaceId(1), FaceId(3), FaceId(4)});
   const ForestMesh made = forest_mesh(forest, Closure::conforming);
   EXPECT_EQ(std::count(made.leaves.begin(), made.leaves.end(), FaceId(0)), 4);
@@ -133,7 +133,7 @@ void expect_triangle_properties_kept(const Scheme& scheme) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(seed);
       std::mt19937 random(seed);
-      Forest forest(model.mesh, scheme, {}, seed % 4 == 3 ? SplitUnit::families : SplitUnit::faces);
+      Forest forest(model.mesh, scheme, {});
       for (int step = 0; step < 5; ++step) {
         split += forest.refine(some_leaves(forest, random, 6, finest));
         merged += forest.coarsen(all_but_some(forest, random, step == 2 ? 1 : 8));
@@ -161,7 +161,7 @@ TEST(TriangleForest, RandomSequencesOfTheLinearSchemeKeepEveryProperty) {
 
 TEST(TriangleForest, CoarseningEverythingGivesTheControlMeshBack) {
   const Mesh control = cut(shapes::torus(5, 4));
-  Forest forest(control, find_scheme("butterfly"), {}, SplitUnit::faces);
+  Forest forest(control, find_scheme("butterfly"), {});
   forest.refine(std::array{FaceId(3)});
   forest.refine(std::array{leaf_at(forest, {FaceId(3), 1, 3})});
   while (forest.coarsen(forest.leaves()) > 0) {
@@ -171,7 +171,7 @@ TEST(TriangleForest, CoarseningEverythingGivesTheControlMeshBack) {
 
 /// Corners of linear refinement are dyadic points of the control face, without rounding here.
 TEST(TriangleForest, LinearVerticesAreDyadicPoints) {
-  Forest forest(octahedron(), find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(octahedron(), find_scheme("linear"), {});
   for (int k = 0; k < 6; ++k)
     forest.refine(std::array{forest.leaves()[static_cast<std::size_t>(k)]});
   for (const FaceId f : forest.leaves()) {
@@ -185,7 +185,7 @@ TEST(TriangleForest, LinearVerticesAreDyadicPoints) {
 }
 
 TEST(TriangleForest, HangingVerticesAreMiddles) {
-  Forest forest(octahedron(), find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(octahedron(), find_scheme("linear"), {});
   forest.refine(std::array{FaceId(0)});
   const ForestMesh made = forest_mesh(forest, Closure::hanging);
   EXPECT_EQ(made.mesh.topology.num_faces(), 11);
@@ -201,7 +201,7 @@ TEST(TriangleForest, HandsDownTagsAndGroups) {
   control.groups.push_back({"middle", {FaceId(8), FaceId(9)}});
   const auto v = control.topology.face(FaceId(8));
   control.tags.creases.push_back({v[0], v[2], infinite_sharpness});
-  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(control, find_scheme("linear"), {});
   forest.refine(std::array{FaceId(8)});
   forest.refine(std::array{leaf_at(forest, {FaceId(8), 1, 3})});
   const Mesh mesh = forest_mesh(forest, Closure::conforming).mesh;
@@ -223,7 +223,7 @@ TEST(TriangleForest, HandsDownTagsAndGroups) {
 TEST(TriangleForest, TakesTheShorterDiagonal) {
   Mesh control = octahedron();
   control.points[VertexId(2)] = Vec3(0, 3, 0);
-  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  Forest forest(control, find_scheme("linear"), {});
   forest.refine(std::array{FaceId(0), FaceId(7)});
   const ForestMesh made = forest_mesh(forest, Closure::conforming);
   EXPECT_EQ(std::count(made.leaves.begin(), made.leaves.end(), FaceId(4)), 3);

@@ -21,12 +21,12 @@ Where parse_face_where(std::string_view text) {
   return where;
 }
 
-LeafSelection::LeafSelection(const Forest& forest, std::string_view where)
+LeafSelection::LeafSelection(const LocalRefinement& forest, std::string_view where)
     : where_(parse_face_where(where)) {
   const Mesh& control = forest.control();
   for (const VertexId v : control.topology.corners()) {
-    box_.lower = box_.lower.cwiseMin(forest.nodes().position(v));
-    box_.upper = box_.upper.cwiseMax(forest.nodes().position(v));
+    box_.lower = box_.lower.cwiseMin(forest.position(v));
+    box_.upper = box_.upper.cwiseMax(forest.position(v));
   }
   switch (where_.kind) {
     case Where::Kind::all:
@@ -49,7 +49,7 @@ LeafSelection::LeafSelection(const Forest& forest, std::string_view where)
   if (leaves(forest).empty()) fail(forest);
 }
 
-std::vector<FaceId> LeafSelection::leaves(const Forest& forest) {
+std::vector<FaceId> LeafSelection::leaves(const LocalRefinement& forest) {
   std::vector<FaceId> chosen;
   int since_check = 0;
   for (const FaceId f : forest.leaves()) {
@@ -65,22 +65,22 @@ std::vector<FaceId> LeafSelection::leaves(const Forest& forest) {
   return chosen;
 }
 
-bool LeafSelection::holds_at(const Forest& forest, VertexId v) {
+bool LeafSelection::holds_at(const LocalRefinement& forest, VertexId v) {
   if (v.value >= holds_.size())
-    holds_.resize(static_cast<std::size_t>(forest.nodes().size()), untested);
+    holds_.resize(static_cast<std::size_t>(forest.num_vertices()), untested);
   char& holds = holds_[v];
-  if (holds == untested) holds = (*condition_)(forest.nodes().position(v)) ? 1 : 0;
+  if (holds == untested) holds = (*condition_)(forest.position(v)) ? 1 : 0;
   return holds == 1;
 }
 
-void LeafSelection::fail(const Forest& forest) const {
+void LeafSelection::fail(const LocalRefinement& forest) const {
   if (!condition_) throw InputError("where = {}: the mesh has no face", quote(where_.text));
-  std::vector<bool> counted(static_cast<std::size_t>(forest.nodes().size()), false);
+  std::vector<bool> counted(static_cast<std::size_t>(forest.num_vertices()), false);
   int met = 0;
   for (const FaceId f : forest.leaves())
     for (const VertexId v : forest.corners(f)) {
       const auto i = static_cast<std::size_t>(v.value);
-      if (!counted[i] && (*condition_)(forest.nodes().position(v))) ++met;
+      if (!counted[i] && (*condition_)(forest.position(v))) ++met;
       counted[i] = true;
     }
   if (met == 0)

@@ -7,7 +7,7 @@
 #include "limes/mesh/measure.h"
 #include "limes/study/condition.h"
 #include "limes/study/selection.h"
-#include "limes/subdiv/forest.h"
+#include "limes/subdiv/local_refinement.h"
 
 namespace limes {
 
@@ -16,22 +16,22 @@ namespace limes {
 [[nodiscard]] Where parse_face_where(std::string_view text);
 
 /// The leaves of a forest that a `where` means: all of them, those on the faces of a group or part of
-/// the control mesh, or those with a condition true at all four corners, which lie on the limit
+/// the control mesh, or those with a condition true at all corners, which lie on the limit
 /// surface. == means within 1e-9 of the diagonal of the control mesh's vertices there.
 class LeafSelection {
  public:
   /// @param where  as parse_face_where()
   /// @throws InputError as parse_face_where(), or if it means no leaf of the forest
-  LeafSelection(const Forest& forest, std::string_view where);
+  LeafSelection(const LocalRefinement& forest, std::string_view where);
 
   /// In the order of forest.leaves(); none is a possible answer. A vertex is tested once, so one
   /// selection belongs to one forest.
   /// @throws InputError where the condition is neither true nor false
-  [[nodiscard]] std::vector<FaceId> leaves(const Forest& forest);
+  [[nodiscard]] std::vector<FaceId> leaves(const LocalRefinement& forest);
 
  private:
-  [[nodiscard]] bool holds_at(const Forest& forest, VertexId v);
-  [[noreturn]] void fail(const Forest& forest) const;
+  [[nodiscard]] bool holds_at(const LocalRefinement& forest, VertexId v);
+  [[noreturn]] void fail(const LocalRefinement& forest) const;
 
   Where where_;
   Bounds box_;               // of the control mesh's vertices on the limit surface

@@ -81,7 +81,7 @@ Forest::Forest(std::shared_ptr<const Root> root, const Scheme& scheme, const Ref
                SplitUnit unit, LimitsOf limits, Placement placement)
     : root_(std::move(root)),
       size_(regular_face_size(scheme)),
-      unit_(unit),
+      unit_(size_ == 3 ? SplitUnit::faces : unit),
       nodes_(root_->adjacency, root_->mesh.points.span(),
              checked_features(root_->adjacency, root_->mesh, scheme, options), scheme,
              std::move(limits)),

@@ -8,21 +8,13 @@
 #include "limes/core/error.h"
 #include "limes/mesh/mesh.h"
 #include "limes/subdiv/forest_nodes.h"
+#include "limes/subdiv/local_refinement.h"
 #include "limes/subdiv/placement.h"
 #include "limes/subdiv/refine.h"
 
 namespace limes {
 
-/// Where a face of a forest comes from: the control face, and which child was taken on each level, as
-/// digits to the base of 4, the first one highest.
-struct FaceAncestry {
-  FaceId root;
-  int level;
-  std::int64_t path;
-  friend bool operator==(const FaceAncestry&, const FaceAncestry&) = default;
-};
-
-/// Which faces are split together.
+/// Which quads are split together; triangles are split each alone.
 enum class SplitUnit {
   families,  ///< below the control faces, four siblings: what a closure by quads needs
   faces      ///< each alone
@@ -42,10 +34,9 @@ enum class SplitUnit {
 /// only where all faces around its corners exist on its level, and those are exactly what its new
 /// vertices depend on. So asking for one split may cause others.
 ///
-/// A mutable value; copies are independent. Faces and vertices have ids of the forest's own, which
-/// stay valid: what coarsening removes is found again by the next refinement. What a step costs
-/// depends on what it changes, not on the size of the forest.
-class Forest {
+/// A mutable value; copies are independent. What coarsening removes is found again by the next
+/// refinement. What a step costs depends on what it changes, not on the size of the forest.
+class Forest final : public LocalRefinement {
  public:
   static constexpr int max_level = 26;  ///< paths are exact in a double, sides 1.5e-8 of a root's
 
@@ -55,26 +46,27 @@ class Forest {
   Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
          SplitUnit unit = SplitUnit::families, LimitsOf limits = {}, Placement placement = {});
 
-  /// Splits leaves, and others as balance asks.
-  /// @return number of faces split. Leaves that were split meanwhile count once.
-  /// @throws InputError beyond max_level; the forest is unchanged then
-  int refine(std::span<const FaceId> leaves);
+  int refine(std::span<const FaceId> leaves) override;
+  int coarsen(std::span<const FaceId> leaves) override;
 
-  /// Takes back splits all of whose children are marked leaves, where balance allows it.
-  /// @return number of splits taken back
-  int coarsen(std::span<const FaceId> leaves);
-
-  /// All leaves: trees in order of the control faces, children in order.
-  [[nodiscard]] std::vector<FaceId> leaves() const;
-  [[nodiscard]] const Mesh& control() const { return root_->mesh; }
+  [[nodiscard]] std::vector<FaceId> leaves() const override;
+  [[nodiscard]] const Mesh& control() const override { return root_->mesh; }
   [[nodiscard]] const Adjacency& control_adjacency() const { return root_->adjacency; }
   [[nodiscard]] SplitUnit unit() const { return unit_; }
   [[nodiscard]] const ForestNodes& nodes() const { return nodes_; }
+  [[nodiscard]] int num_vertices() const override { return nodes_.size(); }
+  [[nodiscard]] const Vec3& position(VertexId v) const override { return nodes_.position(v); }
+  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const override {
+    return nodes_.edge_sharpness(a, b);
+  }
+  [[nodiscard]] float vertex_sharpness(int level, VertexId v) const override {
+    return nodes_.vertex_sharpness(level, v);
+  }
 
-  [[nodiscard]] FaceAncestry ancestry(FaceId f) const;
+  [[nodiscard]] FaceAncestry ancestry(FaceId f) const override;
   /// Corners of every face: 3 or 4.
   [[nodiscard]] int face_size() const { return size_; }
-  [[nodiscard]] std::span<const VertexId> corners(FaceId f) const {
+  [[nodiscard]] std::span<const VertexId> corners(FaceId f) const override {
     return std::span(face(f).corners).first(static_cast<std::size_t>(size_));
   }
   /// The same of a forest of quads.

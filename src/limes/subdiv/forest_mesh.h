@@ -1,31 +1,13 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "limes/subdiv/closure.h"
 #include "limes/subdiv/forest.h"
+#include "limes/subdiv/leaf_mesh.h"
 
 namespace limes {
 
-/// A vertex inside a side of a leaf. Fields that are linear along sides are continuous where the
-/// value at the vertex is the mean of those at the ends.
-struct HangingVertex {
-  VertexId vertex;
-  std::array<VertexId, 2> ends;
-  friend bool operator==(const HangingVertex&, const HangingVertex&) = default;
-};
-
-/// The leaves of a forest as a mesh. Vertices of the control mesh come first and keep their ids, then
-/// the others by first appearance; faces follow the leaves. Creases, corners, holes, groups and parts
-/// come along, and so does ancestry, as face fields `root`, `level` and `path` (FaceAncestry).
-struct ForestMesh {
-  Mesh mesh;
-  std::vector<FaceId> leaves;          ///< of each face, the leaf it lies in
-  std::vector<VertexId> nodes;         ///< of each vertex, its number in the forest
-  std::vector<HangingVertex> hanging;  ///< ascending; with Closure::hanging only
-};
-
+/// The leaves of a forest as a mesh.
+///
 /// The closure is no part of the forest and is made anew each time; the vertices it needs are those of
 /// the next level, and the forest keeps them. Costs as much as the mesh is large.
 ///
