@@ -79,6 +79,11 @@ int parse_levels(const std::string& levels, int most) {
 SchemeChoice choose_adaptive_scheme(const SchemeOptions& options) {
   SchemeChoice choice = choose_scheme(options);
   require_limit(choice);
+  if (choice.scheme->split == Split::four_eight)
+    throw UsageError(
+        "--scheme: {} has no limit points to place vertices at; --scheme linear --bisect splits "
+        "the same way",
+        choice.scheme->name);
   if (choice.boundary == BoundaryRule::none)
     throw UsageError(
         "--boundary: rule none drops faces, which adapt does not; take edges or "

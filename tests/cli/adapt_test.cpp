@@ -164,6 +164,8 @@ TEST(Adapt, RefusesWhatItCannotTake) {
       "refine makes, or triangles only");
   expect_failure(run_limes(adapt("gallery/torus.obj", out, "kobbelt", "x > 0", "2")), 3,
                  "torus.obj: face 0 has 3 corners");
+  expect_failure(run_limes(adapt("cube.obj", out, "four-eight", "x > 0", "2")), 2,
+                 "--scheme linear --bisect splits the same way");
   expect_failure(run_limes(adapt("gallery/torus.obj", out, "sqrt3", "x > 0", "2")), 2,
                  "--scheme: sqrt3 does not split faces into four");
   expect_failure(run_limes(adapt("cube.obj", out, "linear", "x >", "2")), 2, "--where: formula");

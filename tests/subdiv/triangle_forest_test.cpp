@@ -6,6 +6,7 @@
 
 #include "limes/core/error.h"
 #include "limes/mesh/shapes.h"
+#include "limes/subdiv/forest_seams.h"
 #include "limes/subdiv/schemes.h"
 #include "subdiv/forest_checks.h"
 
@@ -238,6 +239,31 @@ TEST(TriangleForest, TakesTheShorterDiagonal) {
     }
   }
   EXPECT_NEAR(longest, std::sqrt(3.5), 1e-12);
+}
+
+/// Two triangles, tied along one side each, in opposite directions and between different corners.
+TEST(TriangleForest, MatchesSeams) {
+  Mesh control;
+  for (const Vec3& x :
+       {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)})
+    control.points.push_back(x);
+  std::vector<VertexId> corners;
+  for (const int v : {0, 1, 2, 5, 4, 3})
+    corners.emplace_back(v);
+  control.topology = Topology(6, 3, std::move(corners));
+  const std::array<TiedEdge, 1> seams{{{{VertexId(0), VertexId(1)}, {VertexId(3), VertexId(4)}}}};
+  Forest forest(control, find_scheme("linear"), {});
+  forest.refine(std::array{FaceId(0)});
+  forest.refine(std::array{leaf_at(forest, {FaceId(0), 1, 1})});
+  match_seams(forest, seams);
+  const ForestMesh made = forest_mesh(forest, Closure::conforming);
+  const std::vector<TiedEdge> tied = tied_edges(forest, made, seams);
+  EXPECT_EQ(tied.size(), 3U);  // halves of level 1, and those of one of them
+  for (const TiedEdge& e : tied)
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_NE(e.ends[i], e.tied[i]);
+      EXPECT_EQ(made.mesh.points[e.ends[i]], made.mesh.points[e.tied[i]]);
+    }
 }
 
 TEST(TriangleForest, NamesTheFaceThatIsNoTriangle) {

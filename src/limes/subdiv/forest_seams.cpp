@@ -13,16 +13,17 @@ struct Side {
   int side;
   bool forward;
 
-  /// The first or second half; child i begins at corner i, so that its side 0 is the first half of side i,
-  /// and its side 3 the second half of side i - 1.
+  /// The first or second half; child i begins at corner i, so that its first side is the first half of
+  /// side i, and its last side the second half of side i - 1.
   [[nodiscard]] Side half(const Forest& forest, int i) const {
+    const int n = forest.face_size();
     return (i == 0) == forward ? Side{forest.child(face, side), 0, forward}
-                               : Side{forest.child(face, (side + 1) % 4), 3, forward};
+                               : Side{forest.child(face, (side + 1) % n), n - 1, forward};
   }
   [[nodiscard]] std::array<VertexId, 2> ends(const Forest& forest) const {
-    const QuadCorners& v = forest.quad(face);
+    const auto v = forest.corners(face);
     const VertexId a = v[static_cast<std::size_t>(side)];
-    const VertexId b = v[static_cast<std::size_t>((side + 1) % 4)];
+    const VertexId b = v[static_cast<std::size_t>(side + 1) % v.size()];
     return forward ? std::array{a, b} : std::array{b, a};
   }
 };
