@@ -90,6 +90,11 @@ TEST(Junctions, IBeamFallsIntoItsFiveStrips) {
   EXPECT_NEAR(measure(cut.mesh).area, 20 * 4, 1e-12);
   EXPECT_EQ(cut.mesh.tags.corners.size(), 12U);
   EXPECT_EQ(junction_edges(cut.mesh, Adjacency(cut.mesh.topology)).size(), 3U * 40);
+  const MeshFile file =
+      read_control_mesh(read_problem(std::filesystem::path(LIMES_DATA_DIR) / "i_beam.toml"), {});
+  EXPECT_EQ(file.mesh.topology, cut.mesh.topology);
+  ASSERT_EQ(file.remarks.size(), 1U);
+  EXPECT_NE(file.remarks[0].find("cut along 40 edges with three faces or more"), std::string::npos);
 }
 
 const std::string text = R"([mesh]
