@@ -53,7 +53,8 @@ class Forest {
 
   /// Splits leaves, and others as balance asks.
   /// @return number of faces split. Leaves that were split meanwhile count once.
-  /// @throws InputError beyond max_level; the forest is unchanged then
+  /// @throws InputError beyond max_level; the forest is unchanged then. Interrupted, between levels; it is
+  ///         balanced then
   int refine(std::span<const FaceId> leaves);
 
   /// Takes back splits all of whose children are marked leaves, where balance allows it.
