@@ -368,7 +368,9 @@ void Forest::add_children(FaceId f, const ChildNodes& made) {
     child.level = parent.level + 1;
     faces_.push_back(child);
   }
-  if (last_face_at_.size() < as_index(nodes_.size())) last_face_at_.resize(as_index(nodes_.size()));
+  const std::size_t num_nodes = as_index(nodes_.size());
+  if (last_face_at_.capacity() < num_nodes) last_face_at_.reserve(with_room(num_nodes));
+  if (last_face_at_.size() < num_nodes) last_face_at_.resize(num_nodes);
   for (int i = 0; i < 4; ++i) {
     const FaceId id(first + i);
     std::array<FaceId, 4>& before = face_before_.emplace_back();

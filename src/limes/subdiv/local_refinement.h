@@ -27,7 +27,7 @@ class LocalRefinement {
 
   /// Splits leaves, and others as they ask for it.
   /// @return number of faces split. Leaves that were split meanwhile count once.
-  /// @throws InputError beyond the deepest level; nothing is changed then
+  /// @throws InputError beyond the deepest level; nothing is changed then. Interrupted, between levels
   virtual int refine(std::span<const FaceId> leaves) = 0;
   /// Takes back splits all of whose children are marked leaves, where their neighbours allow it.
   /// @return number of splits taken back
