@@ -38,6 +38,10 @@ ForestNodes::ForestNodes(const Adjacency& control, std::span<const Vec3> points,
   positions_.vector().assign(points.begin(), points.end());
   on_curve_.reserve(with_room(points.size()));
   on_curve_.resize(points.size(), 0);
+  last_middle_.reserve(with_room(points.size()));
+  last_middle_.resize(points.size());
+  middle_.reserve(with_room(points.size()));
+  middle_.resize(points.size());
   for (int v = 0; v < control.topology().num_vertices(); ++v)
     on_curve_[VertexId(v)] = control.is_boundary(VertexId(v)) ? 1 : 0;
   for (const SharpEdge& e : features.edges)
@@ -67,8 +71,11 @@ const Vec3& ForestNodes::value(int level, VertexId v) const {
 }
 
 VertexId ForestNodes::middle(VertexId a, VertexId b) const {
-  const auto at = middles_.find(edge_key(a, b));
-  return at == middles_.end() ? VertexId() : at->second;
+  const auto [older, newer] = std::minmax(a, b);
+  VertexId m = last_middle_[newer];
+  while (m.valid() && middle_[m].older != older)
+    m = middle_[m].before;
+  return m;
 }
 
 float ForestNodes::edge_sharpness(VertexId a, VertexId b) const {
@@ -81,13 +88,20 @@ float ForestNodes::vertex_sharpness(int level, VertexId v) const {
   return at == corners_.end() ? 0.0F : at->second.sharpness;
 }
 
+VertexId ForestNodes::add_vertex(bool on_curve) {
+  positions_.push_back(Vec3::Zero());
+  on_curve_.push_back(on_curve ? 1 : 0);
+  last_middle_.push_back({});
+  middle_.push_back({});
+  return VertexId(positions_.size() - 1);
+}
+
 VertexId ForestNodes::middle_or_new(VertexId a, VertexId b, bool on_curve) {
-  const auto [at, is_new] = middles_.try_emplace(edge_key(a, b), VertexId(positions_.size()));
-  if (is_new) {
-    positions_.push_back(Vec3::Zero());
-    on_curve_.push_back(on_curve ? 1 : 0);
-  }
-  return at->second;
+  if (const VertexId m = middle(a, b); m.valid()) return m;
+  const VertexId m = add_vertex(on_curve);
+  const auto [older, newer] = std::minmax(a, b);
+  middle_[m] = {older, std::exchange(last_middle_[newer], m)};
+  return m;
 }
 
 Features ForestNodes::features_of(const Patch& patch, int level) const {
@@ -127,9 +141,7 @@ ChildNodes ForestNodes::make_children_of(const Patch& patch, const Adjacency& ad
     children.sides[static_cast<std::size_t>(i)] = middle;
   }
   if (scheme_->split == Split::triangles) return children;
-  children.centre = VertexId(positions_.size());
-  positions_.push_back(Vec3::Zero());
-  on_curve_.push_back(0);
+  children.centre = add_vertex(false);
   node(ids.of_face(face)) = children.centre;
   return children;
 }

@@ -72,6 +72,10 @@ class ForestNodes {
 
  private:
   struct Patch;
+  struct Middle {
+    VertexId older;   // end of the edge; none: the vertex is no middle
+    VertexId before;  // in the list
+  };
 
   static std::uint64_t edge_key(VertexId a, VertexId b);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
@@ -79,6 +83,7 @@ class ForestNodes {
   ChildNodes make_children_of(const Patch& patch, const Adjacency& adjacency, FaceId face,
                               std::span<VertexId> nodes);
   VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);
+  VertexId add_vertex(bool on_curve);
   void keep_sharp(const Topology& child, const Features& features, int level,
                   std::span<const VertexId> nodes);
 
@@ -87,9 +92,11 @@ class ForestNodes {
   LimitsOf limits_;
   IdArray<VertexId, Vec3> positions_;
   IdArray<VertexId, char> on_curve_;
+  // Each middle of an edge hangs in a list at the end that was made later, which has few edges to older ones.
+  IdArray<VertexId, VertexId> last_middle_;
+  IdArray<VertexId, Middle> middle_;
   std::vector<Vec3> control_;  // of schemes that are not interpolatory; likewise the next
   std::unordered_map<std::uint64_t, Vec3> values_;          // by level and vertex, from level 1 on
-  std::unordered_map<std::uint64_t, VertexId> middles_;     // by edge
   std::unordered_map<std::uint64_t, float> sharp_edges_;    // by edge
   std::unordered_map<std::uint64_t, SharpVertex> corners_;  // by level and vertex
 };
