@@ -204,7 +204,7 @@ void AdaptCommand::operator()() const {
   if (!constraints.empty()) {
     if (kind != Closure::hanging)
       throw UsageError("--constraints: only --closure hanging leaves vertices inside sides");
-    check_output(constraints, run, {".csv"});
+    check_output(constraints, run, {".csv"}, "--constraints");
   }
   Mesh control = load_refinable_mesh(mesh);
   const auto exact = surfaces.empty() ? nullptr : place_on_surfaces(surfaces, control);

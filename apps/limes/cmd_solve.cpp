@@ -61,7 +61,7 @@ std::string steps_summary(const std::optional<AdaptiveRun>& run) {
   const bool reference = run->history.steps.front().true_error.has_value();
   const bool finer = run->history.steps.front().finer_error.has_value();
   if (reference) text += "   effectivity";
-  if (finer) text += "   against finer";
+  if (finer) text += "   effectivity against finer";
   text += '\n';
   int number = 0;
   for (const AdaptStep& s : run->history.steps) {

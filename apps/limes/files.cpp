@@ -48,15 +48,15 @@ void save_mesh(const fs::path& file, const Mesh& mesh) {
 }
 
 void check_output(const fs::path& file, const RunOptions& run,
-                  const std::vector<std::string>& extensions) {
+                  const std::vector<std::string>& extensions, std::string_view option) {
   const std::string extension = to_lower(file.extension().string());
   if (!extensions.empty() &&
       std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-    throw UsageError("--output: {} does not end in {}", quote(file.string()),
+    throw UsageError("{}: {} does not end in {}", option, quote(file.string()),
                      fmt::join(extensions, ", "));
   if (run.json && is_standard_output(file))
-    throw UsageError("--output: {} is standard output, where --json prints; leave one of them out",
-                     quote(file.string()));
+    throw UsageError("{}: {} is standard output, where --json prints; leave one of them out",
+                     option, quote(file.string()));
   std::error_code ignored;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!fs::is_directory(folder, ignored))

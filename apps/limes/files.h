@@ -21,9 +21,11 @@ void save_mesh(const std::filesystem::path& file, const Mesh& mesh);
 /// Fails now rather than after the work: no such folder, wrong extension, no right to write, a file
 /// that is standard output where --json will print.
 /// @param extensions  those that are right, each with its dot; none: any
+/// @param option      that names the file
 /// @throws UsageError, OutputError
 void check_output(const std::filesystem::path& file, const RunOptions& run,
-                  const std::vector<std::string>& extensions = {});
+                  const std::vector<std::string>& extensions = {},
+                  std::string_view option = "--output");
 /// The same for a file that holds a mesh.
 void check_mesh_output(const std::filesystem::path& file, const RunOptions& run);
 /// The same for a folder, which is made if it does not exist.

@@ -1,6 +1,7 @@
 // Edges with three faces or more are cut, and known again as junctions.
 
 #include "limes/mesh/junctions.h"
+#include "limes/core/error.h"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,28 @@ TEST(Junctions, EndInsideAPlate) {
   EXPECT_TRUE(is_surface(cut.mesh));
   EXPECT_EQ(measure(cut.mesh).components, 2);
   EXPECT_EQ(junction_edges(cut.mesh, Adjacency(cut.mesh.topology)).size(), 3U);
+}
+
+// Around both ends of such an edge the plate is in one piece: it would not be tied to the wall.
+TEST(Junctions, OfOneEdgeInsideAPlateAreRefused) {
+  std::vector<Vec3> x;
+  std::vector<int> quads;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      x.emplace_back(i, j, 0);
+  for (const int a : {0, 1, 2, 4, 5, 6, 8, 9, 10})
+    quads.insert(quads.end(), {a, a + 1, a + 5, a + 4});
+  x.emplace_back(1, 1, 1);
+  x.emplace_back(2, 1, 1);
+  quads.insert(quads.end(), {5, 6, 17, 16});
+  try {
+    (void)cut_junctions(make(x, quads));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "the edge of vertices 5 and 6 (counted from 0) has 3 faces, and both ends lie inside "
+              "a piece, which cannot be cut along one edge; split the edge once");
+  }
 }
 
 TEST(Junctions, TagsFollowTheirEdges) {

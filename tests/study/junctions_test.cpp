@@ -180,6 +180,19 @@ TEST(Junctions, StayClosedUnderEveryScheme) {
   }
 }
 
+// Stiffness against drilling is that of the nodes on junctions, next to hanging nodes too.
+TEST(Junctions, DrillWithHangingNodes) {
+  const auto energy = [](const char* drilling) {
+    const ShellResult r = solve_file(
+        "i_beam.toml", {"mesh.levels=0", "adapt.closure=hanging", "adapt.max_steps=3", drilling});
+    EXPECT_GT(r.adaptive->history.steps.size(), 2U);
+    EXPECT_LT(r.solution.imbalance.moment.norm(), 1e-9 * r.solution.loads.moment.norm())
+        << drilling;
+    return r.solution.strain_energy;
+  };
+  EXPECT_NEAR(energy("model.drilling=0.01") / energy("model.drilling=0"), 1, 2e-4);
+}
+
 // Refined where the error is: both sides of the junctions are split alike.
 TEST(Junctions, CanBeRefinedAdaptively) {
   const ShellResult r =

@@ -236,6 +236,14 @@ TEST(BisectionForest, HandsDownTagsAndGroups) {
         mesh.face_fields[0].values[static_cast<std::size_t>(f)] == 4);
 }
 
+TEST(BisectionForest, RefusesCreasesOfChaikin) {
+  Mesh control = shapes::grid(2, 2);
+  control.tags.creases.push_back({VertexId(1), VertexId(4), 2});
+  (void)BisectionForest(control);
+  control.tags.crease_method = CreaseMethod::chaikin;
+  EXPECT_THROW((void)BisectionForest(control), InputError);
+}
+
 TEST(BisectionForest, RefusesTheDeepestLevelWhole) {
   BisectionForest forest(shapes::polygon(3));
   while (forest.ancestry(forest.leaves()[0]).level < BisectionForest::max_level)

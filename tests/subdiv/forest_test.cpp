@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
 
 #include "limes/mesh/shapes.h"
 #include "limes/subdiv/schemes.h"
@@ -144,6 +145,29 @@ TEST(Forest, HangingVerticesAreMiddles) {
 }
 
 /// The face fields of a mesh whose faces are the leaves say which face of uniform refinement each is.
+// Where vertices hang, each side of a crease has edges that the other does not; all are sharp.
+TEST(Forest, CreasesAreWholeOnBothSidesOfHangingVertices) {
+  Mesh control = shapes::grid(4, 4);
+  for (int i = 0; i < 4; ++i)
+    control.tags.creases.push_back({VertexId(5 * i + 2), VertexId(5 * i + 7), infinite_sharpness});
+  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  forest.refine(std::vector<FaceId>{FaceId(5), FaceId(6), FaceId(10)});
+  const ForestMesh made = forest_mesh(forest, Closure::hanging);
+  const double x = control.points[VertexId(2)].x();
+  std::set<std::pair<VertexId, VertexId>> tagged, expected;
+  for (const CreaseTag& c : made.mesh.tags.creases)
+    EXPECT_TRUE(tagged.insert(std::minmax(c.a, c.b)).second);
+  for (int f = 0; f < made.mesh.topology.num_faces(); ++f)
+    for (int i = 0; i < 4; ++i) {
+      const VertexId a = made.mesh.topology.face(FaceId(f))[static_cast<std::size_t>(i)],
+                     b = made.mesh.topology.face(FaceId(f))[static_cast<std::size_t>((i + 1) % 4)];
+      if (made.mesh.points[a].x() == x && made.mesh.points[b].x() == x)
+        expected.insert(std::minmax(a, b));
+    }
+  EXPECT_EQ(tagged, expected);
+  EXPECT_EQ(expected.size(), 2U + 2U + 3U);  // whole; split on both sides; on one
+}
+
 TEST(Forest, FaceFieldsNameTheFaceOfUniformRefinement) {
   const Mesh control = shaken(shapes::disk(5, 2));
   const std::vector<Mesh> uniform = uniform_levels(control, kobbelt(), 3);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "limes/core/error.h"
 #include "limes/mesh/duplicates.h"
 #include "limes/mesh/pieces.h"
 
@@ -35,6 +37,7 @@ class Cut {
   [[nodiscard]] VertexId corner(HalfedgeId h) const { return mesh_.topology.corner(h); }
   void join_fans();
   void split_vertices();
+  void require_apart() const;
   void move_creases();
   void set_corners(int num_before);
 
@@ -91,6 +94,24 @@ void Cut::split_vertices() {
   }
 }
 
+/// A junction of one edge whose ends both lie inside a piece does not cut it: faces on its two sides are
+/// neighbours around the ends.
+void Cut::require_apart() const {
+  for (std::size_t g = 0; g + 1 < edges_.offsets.size(); ++g) {
+    if (!is_junction(group(g))) continue;
+    std::set<std::pair<VertexId, VertexId>> edges;
+    for (const HalfedgeId h : group(g)) {
+      const VertexId a = corners_[static_cast<std::size_t>(h.value)],
+                     b = corners_[static_cast<std::size_t>(next_[h].value)];
+      if (edges.insert(std::minmax(a, b)).second) continue;
+      throw InputError(
+          "the edge of vertices {} and {} (counted from 0) has {} faces, and both ends lie inside "
+          "a piece, which cannot be cut along one edge; split the edge once",
+          corner(h).value, corner(next_[h]).value, group(g).size());
+    }
+  }
+}
+
 /// Those on junctions mean nothing any more, but do no harm.
 void Cut::move_creases() {
   for (CreaseTag& tag : out_.mesh.tags.creases) {
@@ -123,6 +144,7 @@ CutMesh Cut::run() {
   out_.mesh = mesh_;
   if (out_.num_edges == 0) return std::move(out_);
   split_vertices();
+  require_apart();
   const Topology& t = mesh_.topology;
   const int n = out_.mesh.points.size();
   if (t.uniform_face_size() > 0) {

@@ -19,6 +19,7 @@ struct CutMesh {
 /// corners. Where junctions end or branch the boundaries get infinitely sharp corners, so that schemes
 /// bend all of them alike. Fans that touch a junction with a corner only are left, for find_defects(); so
 /// is a mesh with repeated faces or corners without a vertex.
+/// @throws InputError naming a junction of one edge with both ends inside a piece, which it does not cut
 [[nodiscard]] CutMesh cut_junctions(const Mesh& mesh);
 
 /// Boundary edges that lie in the same place as two others at least, each tied to all others there: those

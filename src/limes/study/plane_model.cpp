@@ -123,8 +123,12 @@ PlaneModel build_model(const Problem& problem, Mesh control,
   PlaneModel model;
   if (hanging.empty())
     require_refinable(control, mesh_path(problem).string());
-  else
+  else {
+    // Bilinear functions kink at every edge, and tags name edges that hanging vertices cut.
+    control.tags.creases.clear();
+    control.tags.corners.clear();
     model.closed = std::make_unique<ClosedMesh>(control, hanging);
+  }
   const auto check = model.closed ? Adjacency::Check::edges : Adjacency::Check::surface;
   model.problem = problem;
   model.boundary = control.tags.boundary.value_or(BoundaryRule::edges);

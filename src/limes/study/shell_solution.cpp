@@ -113,7 +113,7 @@ ShellMatrix element_stiffness(const ShellModel& model, FaceId f) {
   if (factor == 0) return K;
   std::array<bool, 4> on_kink{};
   for (std::size_t i = 0; i < 4; ++i)
-    on_kink[i] = !model.smooth[model.mesh->topology.face(f)[i]];
+    on_kink[i] = !model.smooth[model.mesh->topology.corner(model.corner(f, static_cast<int>(i)))];
   return K + drilling_stiffness(model.quad(f), model.section(f), on_kink, factor);
 }
 

@@ -19,6 +19,10 @@ std::uint64_t edge_key(VertexId a, VertexId b) {
 
 BisectionForest::BisectionForest(const Mesh& control)
     : root_(std::make_shared<const Root>(control)), positions_(control.points) {
+  if (control.tags.crease_method == CreaseMethod::chaikin && !control.tags.creases.empty())
+    throw InputError(
+        "the creases have the method chaikin; bisection knows uniform creases: remove 't "
+        "creasemethod'");
   const Topology& topology = root_->mesh.topology;
   faces_.resize(static_cast<std::size_t>(topology.num_faces()));
   for (int f = 0; f < topology.num_faces(); ++f)

@@ -32,7 +32,7 @@ class BisectionForest final : public LocalRefinement {
  public:
   static constexpr int max_level = 40;  ///< two levels halve a side, so that is a millionth
 
-  /// @throws InputError if the mesh is no surface
+  /// @throws InputError if the mesh is no surface, or its creases have the method chaikin
   explicit BisectionForest(const Mesh& control);
 
   int refine(std::span<const FaceId> leaves) override;

@@ -1,6 +1,7 @@
 #include "limes/subdiv/leaf_mesh.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace limes {
@@ -64,6 +65,7 @@ void hand_down_tags(const LocalRefinement& refined, const LeafPieces& pieces,
   mesh.tags.crease_method = control.crease_method;
   mesh.tags.smooth_triangles = control.smooth_triangles;
   IdArray<VertexId, float> corner(nodes.size(), 0.0F);
+  std::vector<CreaseTag> backward;  // seen from b to a, which may be the only face there
   for (int f = 0; f < mesh.topology.num_faces(); ++f) {
     const int level = refined.ancestry(pieces.leaves()[static_cast<std::size_t>(f)]).level;
     const auto face = mesh.topology.face(FaceId(f));
@@ -73,8 +75,14 @@ void hand_down_tags(const LocalRefinement& refined, const LeafPieces& pieces,
       corner[a] = std::max(corner[a], refined.vertex_sharpness(level, from));
       const float s = refined.edge_sharpness(from, nodes[static_cast<std::size_t>(b.value)]);
       if (s > 0 && a < b) mesh.tags.creases.push_back({a, b, s});
+      if (s > 0 && b < a) backward.push_back({b, a, s});
     }
   }
+  std::set<std::pair<VertexId, VertexId>> seen;
+  for (const CreaseTag& e : mesh.tags.creases)
+    seen.emplace(e.a, e.b);
+  for (const CreaseTag& e : backward)
+    if (!seen.contains({e.a, e.b})) mesh.tags.creases.push_back(e);
   for (std::size_t v = 0; v < nodes.size(); ++v)
     if (corner[VertexId(v)] > 0) mesh.tags.corners.push_back({VertexId(v), corner[VertexId(v)]});
 }
