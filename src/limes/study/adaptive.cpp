@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limes/core/error.h"
+#include "limes/core/text.h"
 #include "limes/limit/forest_limits.h"
 #include "limes/report/pictures.h"
 #include "limes/report/plot.h"
@@ -97,6 +98,24 @@ Json steps_json(const AdaptiveRun& run) {
     out.push_back(std::move(step));
   }
   return out;
+}
+
+std::string how_refined(const AdaptSettings& settings) {
+  const char* const marking = settings.mark == MarkingKind::maximum    ? "maximum"
+                              : settings.mark == MarkingKind::fraction ? "fraction"
+                                                                       : "doerfler";
+  std::string text = fmt::format(
+      "Errors are estimated by {}, elements marked by {} with the share {}, and where finer "
+      "elements "
+      "meet coarser ones {}.",
+      settings.estimator == EstimatorKind::residual ? "residuals" : "recovery (Zienkiewicz-Zhu)",
+      marking, format_readable(settings.share, 3),
+      settings.closure == Closure::hanging ? "vertices hang in sides" : "the coarser ones are cut");
+  if (settings.reference_levels > 0)
+    text +=
+        fmt::format(" The finer solution has every element split {}.",
+                    counted(static_cast<std::size_t>(settings.reference_levels), "time", "times"));
+  return text;
 }
 
 std::string end_of(const AdaptiveRun& run) {

@@ -41,6 +41,9 @@ struct AdaptiveRun {
 /// One object per step, for result.json.
 [[nodiscard]] nlohmann::ordered_json steps_json(const AdaptiveRun& run);
 
+/// How errors are estimated and elements marked and closed, as sentences.
+[[nodiscard]] std::string how_refined(const AdaptSettings& settings);
+
 /// Why the loop ended, as a sentence.
 [[nodiscard]] std::string end_of(const AdaptiveRun& run);
 /// A line per step.

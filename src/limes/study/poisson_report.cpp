@@ -78,7 +78,8 @@ std::vector<ReportFile> report_files(const PoissonResult& result) {
   report.section("Solution");
   add_picture(drawing(value_figure(result)), "solution.png", report, files);
   if (result.adaptive)
-    add_adaptive_section(*result.adaptive, result.model.mesh(), std::nullopt, report, files);
+    add_adaptive_section(*result.model.problem.adapt, *result.adaptive, result.model.mesh(),
+                         std::nullopt, report, files);
   add_tables(result, report);
   report.raw_data("result.json, without timings", result_json(result, false).dump(2));
   report.footer(result.made_by);

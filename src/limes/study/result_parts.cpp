@@ -29,11 +29,11 @@ void add_picture(const Drawing& picture, const std::string& png, HtmlReport& rep
   files.push_back({png, encode_png(to_image(picture))});
 }
 
-void add_adaptive_section(const AdaptiveRun& run, const Mesh& mesh,
+void add_adaptive_section(const AdaptSettings& settings, const AdaptiveRun& run, const Mesh& mesh,
                           const std::optional<Vec3>& direction, HtmlReport& report,
                           std::vector<ReportFile>& files) {
   report.section("Adaptive refinement");
-  report.paragraph(end_of(run));
+  report.paragraph(how_refined(settings) + " " + end_of(run));
   report.table(steps_table(run));
   if (const auto steps = steps_drawing(run)) add_picture(*steps, "convergence.png", report, files);
   add_picture(drawing(error_figure(run, mesh, direction)), "adapted-mesh.png", report, files);

@@ -31,7 +31,7 @@ void add_picture(const Drawing& picture, const std::string& png, HtmlReport& rep
 
 /// Steps, convergence diagram and last mesh of an adaptive run.
 /// @param direction  to look along; without it straight onto a plane model
-void add_adaptive_section(const AdaptiveRun& run, const Mesh& mesh,
+void add_adaptive_section(const AdaptSettings& settings, const AdaptiveRun& run, const Mesh& mesh,
                           const std::optional<Vec3>& direction, HtmlReport& report,
                           std::vector<ReportFile>& files);
 

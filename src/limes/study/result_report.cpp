@@ -158,7 +158,8 @@ std::vector<ReportFile> report_files(const PlaneResult& result) {
     add_homogenised(*result.solution.homogenised, model.problem.units, report);
   add_pictures(result, figures, report);
   if (result.adaptive)
-    add_adaptive_section(*result.adaptive, model.mesh(), std::nullopt, report, files);
+    add_adaptive_section(*model.problem.adapt, *result.adaptive, model.mesh(), std::nullopt, report,
+                         files);
   add_probes(result, report);
   add_reactions(result, report);
   add_checks(result, report);

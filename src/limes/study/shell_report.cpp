@@ -56,6 +56,8 @@ Figure displacement_figure(const ShellResult& result) {
   field.quantity = "|u|";
   field.unit = result.model.problem.units.length;
   field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
+  if (result.adaptive)
+    field.mesh_lines.width = 0.35;  // where it is fine, lines would cover the colours
   return field_figure(field, {.title = "Length of the displacement", .direction = view_direction});
 }
 
@@ -90,7 +92,8 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
   report.section("Displacement");
   add_picture(drawing(displacement_figure(result)), "displacement.png", report, files);
   if (result.adaptive)
-    add_adaptive_section(*result.adaptive, *result.model.mesh, view_direction, report, files);
+    add_adaptive_section(*result.model.problem.adapt, *result.adaptive, *result.model.mesh,
+                         view_direction, report, files);
   add_tables(result, report);
   report.raw_data("result.json, without timings", result_json(result, false).dump(2));
   report.footer(result.made_by);
