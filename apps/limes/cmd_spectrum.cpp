@@ -125,7 +125,7 @@ void SpectrumCommand::operator()() const {
                             .tension = parse_any_tension(chosen, tension)};
   const auto [first, last] = parse_range(valences);
   const std::vector<int> possible = possible_valences(chosen, first, last);
-  if (!picture.empty()) check_output(picture, run, {".svg", ".png"}, "--picture");
+  if (!picture.empty()) check_output(picture, run, {".svg", ".png"});
   std::vector<Analysis> results;
   for (const int valence : possible)
     results.push_back(analyse(chosen, valence, options));
