@@ -104,7 +104,7 @@ TEST(Recovery, AFitOfALinearFunctionIsExact) {
     MatrixX values(5, 2);
     values.col(0) = (3 + 2 * at.col(0).array() - at.col(1).array()).matrix();
     values.col(1) = (-1 + 5 * at.col(1).array()).matrix();
-    const VectorX origin = fitted_at_origin(scale * at, values);
+    const VectorX origin = linear_fit(scale * at, values).at(Vec2::Zero());
     EXPECT_NEAR(origin(0), 3, 1e-13);
     EXPECT_NEAR(origin(1), -1, 1e-13);
   }
@@ -114,8 +114,8 @@ TEST(Recovery, PlacesOnALineGiveALinearFunctionAlongIt) {
   Eigen::Matrix<double, Eigen::Dynamic, 2> at(3, 2);
   at << 1, 0, 2, 0, 3, 0;
   const MatrixX values = (4 - at.col(0).array()).matrix();
-  EXPECT_NEAR(fitted_at_origin(at, values)(0), 4, 1e-13);
-  EXPECT_EQ(fitted_at_origin(at.topRows(1), values.topRows(1))(0), 3);
+  EXPECT_NEAR(linear_fit(at, values).at(Vec2::Zero())(0), 4, 1e-13);
+  EXPECT_EQ(linear_fit(at.topRows(1), values.topRows(1)).at(Vec2::Zero())(0), 3);
 }
 
 }  // namespace

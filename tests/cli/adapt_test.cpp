@@ -247,6 +247,9 @@ TEST(Adapt, LeavesVerticesOfTrianglesHanging) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["faces"], json["leaves"]);
   EXPECT_GT(json["hanging_vertices"], 0);
+  const std::string rows = read_file(folder / "a.csv");
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + json["hanging_vertices"].get<int>());
+  EXPECT_EQ(rows.find("vertex,end0,end1\n"), 0U);
 }
 
 /// Each quad of a cube becomes four triangles, which are then halved across its sides.

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "convergence/plane_meshes.h"
 #include "limes/core/error.h"
@@ -197,7 +200,22 @@ TEST(Junctions, DrillWithHangingNodes) {
 TEST(Junctions, CanBeRefinedAdaptively) {
   const ShellResult r =
       solve_file("i_beam.toml", {"mesh.levels=1", "adapt.max_dofs=12000", "adapt.share=0.3"});
+  EXPECT_GT(r.adaptive->history.steps.size(), 1U);
   EXPECT_NEAR(-r.probes.at(0).displacement.z() / bent({}), 1, 0.01);
+  // In every place along the junctions the edges of all three pieces.
+  std::map<std::array<double, 6>, int> edges;
+  const Mesh& mesh = *r.model.mesh;
+  for (int h = 0; h < mesh.topology.num_corners(); ++h) {
+    if (r.model.adjacency->twin(HalfedgeId(h)).valid()) continue;
+    std::array<Vec3, 2> x{mesh.points[r.model.adjacency->from(HalfedgeId(h))],
+                          mesh.points[r.model.adjacency->to(HalfedgeId(h))]};
+    if (x[0].x() > x[1].x()) std::swap(x[0], x[1]);
+    if (x[0].y() == 0 && x[1].y() == 0 && x[0].x() < x[1].x() && x[0].z() == x[1].z())
+      ++edges[{x[0].x(), x[0].y(), x[0].z(), x[1].x(), x[1].y(), x[1].z()}];
+  }
+  EXPECT_GT(edges.size(), 2U * 40U);  // those of uniform refinement; some are split
+  for (const auto& [place, count] : edges)
+    EXPECT_EQ(count, 3) << place[0] << ' ' << place[2];
 }
 
 }  // namespace

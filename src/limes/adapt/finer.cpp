@@ -4,6 +4,7 @@
 
 #include "limes/core/parallel.h"
 #include "limes/fem/element_points.h"
+#include "limes/space/element_of_face.h"
 #include "limes/subdiv/split.h"
 
 namespace limes {
@@ -14,13 +15,6 @@ std::vector<Vec2> points_in_ancestor(const ElementTable& table, std::int64_t pat
   std::vector<Vec2> out;
   for (Eigen::Index q = 0; q < table.uv.rows(); ++q)
     out.push_back(in_ancestor(table.uv.row(q).transpose(), path, levels));
-  return out;
-}
-
-std::vector<int> element_of_face(const SubdivisionSpace& space) {
-  std::vector<int> out(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1);
-  for (std::size_t e = 0; e < space.elements().size(); ++e)
-    out[static_cast<std::size_t>(space.elements()[e].face.value)] = static_cast<int>(e);
   return out;
 }
 

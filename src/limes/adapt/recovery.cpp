@@ -104,9 +104,4 @@ LinearFit linear_fit(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at, const M
   return out;
 }
 
-VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
-                         const MatrixX& values) {
-  return linear_fit(at, values).at(Vec2::Zero());
-}
-
 }  // namespace limes

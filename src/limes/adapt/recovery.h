@@ -53,8 +53,4 @@ struct LinearFit {
 [[nodiscard]] LinearFit linear_fit(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
                                    const MatrixX& values);
 
-/// Value at the origin of linear_fit(), (c).
-[[nodiscard]] VectorX fitted_at_origin(const Eigen::Matrix<double, Eigen::Dynamic, 2>& at,
-                                       const MatrixX& values);
-
 }  // namespace limes

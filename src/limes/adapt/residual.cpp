@@ -7,6 +7,7 @@
 #include "limes/core/parallel.h"
 #include "limes/fem/element_points.h"
 #include "limes/math/quadrature.h"
+#include "limes/space/element_of_face.h"
 
 namespace limes {
 namespace {
@@ -82,7 +83,7 @@ class ResidualEstimate {
         load_(load),
         hanging_(hanging),
         rule_(gauss_rule(side_points)),
-        element_of_face_(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1),
+        element_of_face_(element_of_face(space)),
         sides_(space.elements().size()) {
     if (hanging) closed_.emplace(hanging->topology);
     for (int s = 0; s < space.num_shapes(); ++s) {
@@ -90,9 +91,6 @@ class ResidualEstimate {
       inside_.push_back(space.sample(
           s, {Vec2(0.25, 0.25), Vec2(0.75, 0.25), Vec2(0.75, 0.75), Vec2(0.25, 0.75)}));
     }
-    for (std::size_t e = 0; e < space.elements().size(); ++e)
-      element_of_face_[static_cast<std::size_t>(space.elements()[e].face.value)] =
-          static_cast<int>(e);
   }
 
   std::vector<double> squares() {

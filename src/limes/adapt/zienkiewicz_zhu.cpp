@@ -5,6 +5,7 @@
 
 #include "limes/core/parallel.h"
 #include "limes/fem/element_points.h"
+#include "limes/space/element_of_face.h"
 
 namespace limes {
 namespace {
@@ -28,13 +29,6 @@ Centres centres_of(const SubdivisionSpace& space, const EnergyDensity& energy) {
     out.flux[at] = energy.stiffness(e) * energy.gradient(e, table).row(0).transpose();
     out.x[at] = (table.G * space.control_points(e)).row(0).head<2>().transpose();
   });
-  return out;
-}
-
-std::vector<int> element_of_face(const SubdivisionSpace& space) {
-  std::vector<int> out(static_cast<std::size_t>(space.mesh().topology.num_faces()), -1);
-  for (std::size_t e = 0; e < space.elements().size(); ++e)
-    out[static_cast<std::size_t>(space.elements()[e].face.value)] = static_cast<int>(e);
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include "limes/core/error.h"
 #include "limes/fem/load.h"
+#include "limes/space/element_of_face.h"
 #include "limes/study/selection.h"
 #include "limes/study/supports.h"
 
@@ -78,7 +79,7 @@ class LoadAssembler {
       throw InputError(
           "{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected", file(),
           load_.line, load_.where);
-    const std::vector<int> element = element_of_face();
+    const std::vector<int> element = element_of_face(*model_.space);
     VectorX f = zero();
     // One assembly per material: thicknesses differ.
     for (int m = 0; m < static_cast<int>(model_.problem.materials.size()); ++m) {
@@ -116,14 +117,6 @@ class LoadAssembler {
       f += body_load(*model_.space, chosen, [&](const Vec3& x) { return p(x, thickness); });
     }
     return f;
-  }
-
-  [[nodiscard]] std::vector<int> element_of_face() const {
-    std::vector<int> element(static_cast<std::size_t>(model_.mesh().topology.num_faces()), -1);
-    for (int e = static_cast<int>(model_.space->elements().size()) - 1; e >= 0; --e)
-      element[static_cast<std::size_t>(
-          model_.space->elements()[static_cast<std::size_t>(e)].face.value)] = e;
-    return element;
   }
 
   const PlaneModel& model_;

@@ -232,21 +232,20 @@ class ShellResiduals {
   /// @param p  loads at the Gauss points
   [[nodiscard]] double inner_square(FaceId f, const Vec3* p) const {
     const ShellQuad quad = model_.quad(f);
+    std::array<ShellResultants, 4> states;
     std::array<Mat3, 4> T, M;
     const auto points = inner_points();
     for (std::size_t i = 0; i < 4; ++i) {
-      const ShellResultants here = state(f, quad, points[i]);
-      T[i] = here.membrane + here.normal * here.shear.transpose();
-      M[i] = here.bending;
+      states[i] = state(f, quad, points[i]);
+      T[i] = states[i].membrane + states[i].normal * states[i].shear.transpose();
+      M[i] = states[i].bending;
     }
     Pair<std::array<Vec3, 4>> lack;
     Pair<Vec3> mean{Vec3::Zero(), Vec3::Zero()};
     std::array<double, 4> weight{};
-    std::array<Vec3, 4> normal;
     for (std::size_t i = 0; i < 4; ++i) {
-      const ShellResultants here = state(f, quad, points[i]);
+      const ShellResultants& here = states[i];
       const Eigen::Matrix<double, 3, 2> dual = dual_base(quad, points[i]);
-      normal[i] = here.normal;
       weight[i] = quad.area_normal(points[i]).norm();
       lack.force[i] = divergence(T, points[i], dual) + p[i];
       const Vec3 moment = divergence(M, points[i], dual) - here.shear;
@@ -258,7 +257,7 @@ class ShellResiduals {
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3 force = lack.force[i] - mean.force, moment = lack.moment[i] - mean.moment;
-      const double along = force.dot(normal[i]);
+      const double along = force.dot(states[i].normal);
       sum += weight[i] *
              ((force.squaredNorm() - along * along) / stiffness.in_surface() +
               along * along / stiffness.transverse() + moment.squaredNorm() / stiffness.moment());
