@@ -1,18 +1,57 @@
 #include "limes/subdiv/forest_nodes.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "limes/core/error.h"
+#include "limes/mesh/pieces.h"
 #include "limes/subdiv/refinement_step.h"
 #include "limes/subdiv/split.h"
 
 namespace limes {
 
-/// Some faces as a mesh of its own.
+namespace {
+
+/// Gives each fan of faces at a vertex where the rim of a patch touches itself a vertex of its own,
+/// so that the patch is a surface and rules find every edge in the ring of its ends.
+/// @param nodes  of the vertices; copies have the node of what they are copies of
+void part_fans(Topology& topology, int face_size, std::vector<VertexId>& nodes) {
+  const auto fans = corner_fans(topology, group_by_edge(topology));
+  std::vector<VertexId> corners(static_cast<std::size_t>(topology.num_corners()));
+  std::vector<char> met(nodes.size(), 0);
+  for (int i = 0; i < topology.num_corners(); ++i) {
+    const HalfedgeId h(i);
+    const VertexId v = topology.corner(h);
+    VertexId& corner = corners[static_cast<std::size_t>(i)] = v;
+    char& is_met = met[static_cast<std::size_t>(v.value)];
+    if (fans[h] != h) {
+      corner = corners[static_cast<std::size_t>(fans[h].value)];
+    } else if (is_met == 0) {
+      is_met = 1;
+    } else {
+      corner = VertexId(nodes.size());
+      nodes.push_back(nodes[static_cast<std::size_t>(v.value)]);
+    }
+  }
+  topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(corners));
+}
+
+/// Whether the faces at some vertex form more than one fan.
+bool has_bow_tie(const Adjacency& adjacency) {
+  int num_in_rings = 0;
+  for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
+    num_in_rings += adjacency.num_ring_faces(VertexId(v));
+  return num_in_rings != adjacency.topology().num_corners();
+}
+
+}  // namespace
+
+/// Some faces as a mesh of its own, a surface.
 struct ForestNodes::Patch {
   std::vector<VertexId> nodes;  ///< of each of the mesh's vertices
   Topology topology;
+  std::optional<Adjacency> adjacency;  ///< always there
 
   Patch(std::span<const FaceCorners> faces, int face_size) {
     std::unordered_map<std::int32_t, VertexId> local;
@@ -25,7 +64,14 @@ struct ForestNodes::Patch {
         corners.push_back(at->second);
       }
     topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(corners));
+    adjacency.emplace(topology, Adjacency::Check::edges);
+    if (!has_bow_tie(*adjacency)) return;
+    part_fans(topology, face_size, nodes);
+    adjacency.emplace(topology, Adjacency::Check::edges);
   }
+  Patch(const Patch&) = delete;
+  Patch& operator=(const Patch&) = delete;
+
   [[nodiscard]] VertexId node(VertexId local) const {
     return nodes[static_cast<std::size_t>(local.value)];
   }
@@ -109,7 +155,7 @@ Features ForestNodes::features_of(const Patch& patch, int level) const {
   static_cast<RuleOptions&>(features) = options_;
   features.level = options_.level + level;
   if (!sharp_edges_.empty()) {
-    const Adjacency adjacency(patch.topology, Adjacency::Check::edges);
+    const Adjacency& adjacency = *patch.adjacency;
     for (int e = 0; e < adjacency.num_edges(); ++e) {
       const HalfedgeId h = adjacency.halfedge(EdgeId(e));
       const float s = edge_sharpness(patch.node(adjacency.from(h)), patch.node(adjacency.to(h)));
@@ -124,8 +170,9 @@ Features ForestNodes::features_of(const Patch& patch, int level) const {
 }
 
 /// @param nodes  of the vertices of the step's child; those of this face are written
-ChildNodes ForestNodes::make_children_of(const Patch& patch, const Adjacency& adjacency,
-                                         FaceId face, std::span<VertexId> nodes) {
+ChildNodes ForestNodes::make_children_of(const Patch& patch, FaceId face,
+                                         std::span<VertexId> nodes) {
+  const Adjacency& adjacency = *patch.adjacency;
   const QuadrisectionIds ids = quadrisection_ids(adjacency);
   const auto node = [&](VertexId child) -> VertexId& {
     return nodes[static_cast<std::size_t>(child.value)];
@@ -150,8 +197,7 @@ std::vector<ChildNodes> ForestNodes::make(int level, std::span<const FaceCorners
                                           const std::vector<bool>& wanted) {
   const Patch patch(faces, regular_face_size(*scheme_));
   const Features features = features_of(patch, level);
-  const Adjacency adjacency(patch.topology, Adjacency::Check::edges);
-  const RefinementStep step(adjacency, features, *scheme_);
+  const RefinementStep step(*patch.adjacency, features, *scheme_);
   std::vector<Vec3> coarse;
   coarse.reserve(patch.nodes.size());
   for (const VertexId v : patch.nodes)
@@ -163,7 +209,7 @@ std::vector<ChildNodes> ForestNodes::make(int level, std::span<const FaceCorners
   std::vector<ChildNodes> made;
   const int num_before = size();
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (wanted[f]) made.push_back(make_children_of(patch, adjacency, FaceId(f), nodes));
+    if (wanted[f]) made.push_back(make_children_of(patch, FaceId(f), nodes));
 
   const bool moves = !scheme_->interpolatory;
   const bool tags = !features.edges.empty() || !features.vertices.empty();

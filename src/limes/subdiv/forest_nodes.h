@@ -80,8 +80,7 @@ class ForestNodes {
   static std::uint64_t edge_key(VertexId a, VertexId b);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
   [[nodiscard]] Features features_of(const Patch& patch, int level) const;
-  ChildNodes make_children_of(const Patch& patch, const Adjacency& adjacency, FaceId face,
-                              std::span<VertexId> nodes);
+  ChildNodes make_children_of(const Patch& patch, FaceId face, std::span<VertexId> nodes);
   VertexId middle_or_new(VertexId a, VertexId b, bool on_curve);
   VertexId add_vertex(bool on_curve);
   void keep_sharp(const Topology& child, const Features& features, int level,
