@@ -8,17 +8,9 @@
 #include "limes/subdiv/splits.h"
 
 namespace limes {
-namespace {
-
-std::uint64_t edge_key(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint64_t>(high);
-}
-
-}  // namespace
 
 BisectionForest::BisectionForest(const Mesh& control)
-    : root_(std::make_shared<const Root>(control)), positions_(control.points) {
+    : root_(std::make_shared<const ControlMesh>(control)), positions_(control.points) {
   if (control.tags.crease_method == CreaseMethod::chaikin && !control.tags.creases.empty())
     throw InputError(
         "the creases have the method chaikin; bisection knows uniform creases: remove 't "
@@ -29,8 +21,8 @@ BisectionForest::BisectionForest(const Mesh& control)
     faces_[FaceId(f)].root = FaceId(f);
   const Features tags = resolve_tags(root_->adjacency, control.tags, BoundaryRule::edges);
   for (const SharpEdge& e : tags.edges)
-    sharp_edges_[edge_key(root_->adjacency.from(e.halfedge), root_->adjacency.to(e.halfedge))] =
-        e.sharpness;
+    sharp_edges_.set(root_->adjacency.from(e.halfedge), root_->adjacency.to(e.halfedge),
+                     e.sharpness);
   for (const SharpVertex& v : tags.vertices)
     sharp_vertices_[v.vertex.value] = v.sharpness;
 }
@@ -47,35 +39,12 @@ std::span<const VertexId> BisectionForest::corners(FaceId f) const {
   return faces_[f].level == 0 ? root_->mesh.topology.face(f) : std::span(faces_[f].corners);
 }
 
-float BisectionForest::edge_sharpness(VertexId a, VertexId b) const {
-  const auto at = sharp_edges_.find(edge_key(a, b));
-  return at == sharp_edges_.end() ? 0.0F : at->second;
-}
-
 float BisectionForest::vertex_sharpness(int level, VertexId v) const {
   const auto at = sharp_vertices_.find(v.value);
   float sharpness = at == sharp_vertices_.end() ? 0.0F : at->second;
   for (int k = 0; k < level; ++k)
     if (four_eight_splits_creases(k)) sharpness = decayed(sharpness);
   return sharpness;
-}
-
-std::vector<FaceId> BisectionForest::leaves() const {
-  std::vector<FaceId> all, open;
-  for (int root = 0; root < root_->mesh.topology.num_faces(); ++root) {
-    open.push_back(FaceId(root));
-    while (!open.empty()) {
-      const FaceId f = open.back();
-      open.pop_back();
-      if (!faces_[f].split) {
-        all.push_back(f);
-        continue;
-      }
-      for (int i = num_children(f) - 1; i >= 0; --i)
-        open.push_back(child(f, i));
-    }
-  }
-  return all;
 }
 
 /// Triangles of level 1 are (centre, v_i, v_i+1) on side i of their control face. The children of a
@@ -136,7 +105,8 @@ void BisectionForest::make_children(FaceId f, FaceId mate) {
   const VertexId s(positions_.size());
   positions_.push_back(0.5 * (positions_[a] + positions_[b]));
   if (const float sharpness = edge_sharpness(a, b); sharpness > 0)
-    sharp_edges_[edge_key(a, s)] = sharp_edges_[edge_key(s, b)] = decayed(sharpness);
+    for (const VertexId end : {a, b})
+      sharp_edges_.set(s, end, decayed(sharpness));
   faces_[f].mate = mate;
   if (mate.valid()) faces_[mate].mate = f;
   for (const FaceId g : {f, mate}) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limes/mesh/adjacency.h"
+#include "limes/subdiv/edge_sharpness.h"
 #include "limes/subdiv/leaf_mesh.h"
 #include "limes/subdiv/local_refinement.h"
 
@@ -40,7 +41,9 @@ class BisectionForest final : public LocalRefinement {
   int coarsen(std::span<const FaceId> leaves) override;
 
   [[nodiscard]] const Mesh& control() const override { return root_->mesh; }
-  [[nodiscard]] std::vector<FaceId> leaves() const override;
+  [[nodiscard]] Children children(FaceId f) const override {
+    return faces_[f].split ? Children{faces_[f].first_child, num_children(f)} : Children{};
+  }
   [[nodiscard]] FaceAncestry ancestry(FaceId f) const override;
   /// Of triangles the newest vertex first.
   [[nodiscard]] std::span<const VertexId> corners(FaceId f) const override;
@@ -48,15 +51,12 @@ class BisectionForest final : public LocalRefinement {
 
   [[nodiscard]] int num_vertices() const override { return positions_.size(); }
   [[nodiscard]] const Vec3& position(VertexId v) const override { return positions_[v]; }
-  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const override;
+  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const override {
+    return sharp_edges_.of(a, b);
+  }
   [[nodiscard]] float vertex_sharpness(int level, VertexId v) const override;
 
  private:
-  struct Root {
-    explicit Root(const Mesh& control) : mesh(control), adjacency(mesh.topology) {}
-    Mesh mesh;
-    Adjacency adjacency;
-  };
   struct Face {
     std::array<VertexId, 3> corners;  // of control faces invalid
     std::int64_t path = 0;
@@ -86,10 +86,10 @@ class BisectionForest final : public LocalRefinement {
   void add_triangle(FaceId parent, int index, const std::array<VertexId, 3>& corners);
   [[nodiscard]] bool all_marked(FaceId parent, const std::vector<FaceId>& marked) const;
 
-  std::shared_ptr<const Root> root_;
+  std::shared_ptr<const ControlMesh> root_;
   IdArray<FaceId, Face> faces_;  // the control faces first
   IdArray<VertexId, Vec3> positions_;
-  std::unordered_map<std::uint64_t, float> sharp_edges_;    // by ends, lower first
+  EdgeSharpness sharp_edges_;
   std::unordered_map<std::int32_t, float> sharp_vertices_;  // of the control mesh
 };
 

@@ -74,11 +74,11 @@ const Scheme& forest_scheme(const Scheme& scheme, const Topology& control) {
 
 Forest::Forest(const Mesh& control, const Scheme& scheme, const RefineOptions& options,
                SplitUnit unit, LimitsOf limits, Placement placement)
-    : Forest(std::make_shared<const Root>(control), forest_scheme(scheme, control.topology),
+    : Forest(std::make_shared<const ControlMesh>(control), forest_scheme(scheme, control.topology),
              options, unit, std::move(limits), std::move(placement)) {}
 
-Forest::Forest(std::shared_ptr<const Root> root, const Scheme& scheme, const RefineOptions& options,
-               SplitUnit unit, LimitsOf limits, Placement placement)
+Forest::Forest(std::shared_ptr<const ControlMesh> root, const Scheme& scheme,
+               const RefineOptions& options, SplitUnit unit, LimitsOf limits, Placement placement)
     : root_(std::move(root)),
       size_(regular_face_size(scheme)),
       unit_(size_ == 3 ? SplitUnit::faces : unit),
@@ -156,24 +156,6 @@ HalfedgeId Forest::control_side(FaceId f, int side) const {
     side = (child_index(g) + side) % size_;
   }
   return root_->mesh.topology.halfedge(g, side);
-}
-
-std::vector<FaceId> Forest::leaves() const {
-  std::vector<FaceId> all, open;
-  for (int root = 0; root < root_->mesh.topology.num_faces(); ++root) {
-    open.push_back(FaceId(root));
-    while (!open.empty()) {
-      const FaceId f = open.back();
-      open.pop_back();
-      if (!face(f).split) {
-        all.push_back(f);
-        continue;
-      }
-      for (int i = 3; i >= 0; --i)
-        open.push_back(FaceId(face(f).first_child.value + i));
-    }
-  }
-  return all;
 }
 
 /// Faces, each once.

@@ -49,7 +49,6 @@ class Forest final : public LocalRefinement {
   int refine(std::span<const FaceId> leaves) override;
   int coarsen(std::span<const FaceId> leaves) override;
 
-  [[nodiscard]] std::vector<FaceId> leaves() const override;
   [[nodiscard]] const Mesh& control() const override { return root_->mesh; }
   [[nodiscard]] const Adjacency& control_adjacency() const { return root_->adjacency; }
   [[nodiscard]] SplitUnit unit() const { return unit_; }
@@ -75,6 +74,9 @@ class Forest final : public LocalRefinement {
     return face(f).corners;
   }
   [[nodiscard]] bool is_split(FaceId f) const { return face(f).split; }
+  [[nodiscard]] Children children(FaceId f) const override {
+    return face(f).split ? Children{face(f).first_child, 4} : Children{};
+  }
   [[nodiscard]] FaceId parent(FaceId f) const { return face(f).parent; }
   /// Of a split face; child i lies at corner i, child 3 of a triangle in the middle.
   [[nodiscard]] FaceId child(FaceId f, int i) const {
@@ -91,13 +93,8 @@ class Forest final : public LocalRefinement {
   std::vector<ChildNodes> child_nodes(std::span<const FaceId> faces);
 
  private:
-  struct Root {
-    explicit Root(const Mesh& control) : mesh(control), adjacency(mesh.topology) {}
-    Mesh mesh;
-    Adjacency adjacency;
-  };
-  Forest(std::shared_ptr<const Root> root, const Scheme& scheme, const RefineOptions& options,
-         SplitUnit unit, LimitsOf limits, Placement placement);
+  Forest(std::shared_ptr<const ControlMesh> root, const Scheme& scheme,
+         const RefineOptions& options, SplitUnit unit, LimitsOf limits, Placement placement);
 
   struct Face {
     FaceCorners corners;
@@ -135,7 +132,7 @@ class Forest final : public LocalRefinement {
   void place(std::span<const FaceId> faces, std::span<const ChildNodes> made, int num_before);
   [[nodiscard]] bool can_merge(FaceId f) const;
 
-  std::shared_ptr<const Root> root_;
+  std::shared_ptr<const ControlMesh> root_;
   int size_;
   SplitUnit unit_;
   ForestNodes nodes_;

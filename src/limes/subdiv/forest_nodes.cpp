@@ -93,18 +93,13 @@ ForestNodes::ForestNodes(const Adjacency& control, std::span<const Vec3> points,
   for (const SharpEdge& e : features.edges)
     on_curve_[control.from(e.halfedge)] = on_curve_[control.to(e.halfedge)] = 1;
   for (const SharpEdge& e : features.edges)
-    sharp_edges_[edge_key(control.from(e.halfedge), control.to(e.halfedge))] = e.sharpness;
+    sharp_edges_.set(control.from(e.halfedge), control.to(e.halfedge), e.sharpness);
   for (const SharpVertex& v : features.vertices)
     corners_[level_key(0, v.vertex)] = v;
   if (scheme.interpolatory) return;
   LIMES_ASSERT(limits_);
   control_.assign(points.begin(), points.end());
   positions_ = limits_(control.topology(), features, points);
-}
-
-std::uint64_t ForestNodes::edge_key(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint64_t>(high);
 }
 
 std::uint64_t ForestNodes::level_key(int level, VertexId v) {
@@ -122,11 +117,6 @@ VertexId ForestNodes::middle(VertexId a, VertexId b) const {
   while (m.valid() && middle_[m].older != older)
     m = middle_[m].before;
   return m;
-}
-
-float ForestNodes::edge_sharpness(VertexId a, VertexId b) const {
-  const auto at = sharp_edges_.find(edge_key(a, b));
-  return at == sharp_edges_.end() ? 0.0F : at->second;
 }
 
 float ForestNodes::vertex_sharpness(int level, VertexId v) const {
@@ -236,7 +226,7 @@ void ForestNodes::keep_sharp(const Topology& child, const Features& features, in
   for (const SharpEdge& e : features.edges) {
     const VertexId a = node(child.corner(e.halfedge)),
                    b = node(child.corner(child.next(e.halfedge)));
-    if (a.valid() && b.valid()) sharp_edges_[edge_key(a, b)] = e.sharpness;
+    if (a.valid() && b.valid()) sharp_edges_.set(a, b, e.sharpness);
   }
   for (const SharpVertex& v : features.vertices)
     if (node(v.vertex).valid()) corners_[level_key(level, node(v.vertex))] = v;

@@ -9,6 +9,7 @@
 
 #include "limes/core/types.h"
 #include "limes/mesh/adjacency.h"
+#include "limes/subdiv/edge_sharpness.h"
 #include "limes/subdiv/features.h"
 #include "limes/subdiv/scheme.h"
 
@@ -58,7 +59,7 @@ class ForestNodes {
   [[nodiscard]] bool on_curve(VertexId v) const { return on_curve_[v] != 0; }
   /// The vertex in the middle of an edge; invalid if none was made.
   [[nodiscard]] VertexId middle(VertexId a, VertexId b) const;
-  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const;
+  [[nodiscard]] float edge_sharpness(VertexId a, VertexId b) const { return sharp_edges_.of(a, b); }
   [[nodiscard]] float vertex_sharpness(int level, VertexId v) const;
 
   /// Makes the vertices that splitting some faces adds, by one step of the scheme on a patch.
@@ -77,7 +78,6 @@ class ForestNodes {
     VertexId before;  // in the list
   };
 
-  static std::uint64_t edge_key(VertexId a, VertexId b);
   [[nodiscard]] const Vec3& value(int level, VertexId v) const;
   [[nodiscard]] Features features_of(const Patch& patch, int level) const;
   ChildNodes make_children_of(const Patch& patch, FaceId face, std::span<VertexId> nodes);
@@ -95,8 +95,8 @@ class ForestNodes {
   IdArray<VertexId, VertexId> last_middle_;
   IdArray<VertexId, Middle> middle_;
   std::vector<Vec3> control_;  // of schemes that are not interpolatory; likewise the next
-  std::unordered_map<std::uint64_t, Vec3> values_;          // by level and vertex, from level 1 on
-  std::unordered_map<std::uint64_t, float> sharp_edges_;    // by edge
+  std::unordered_map<std::uint64_t, Vec3> values_;  // by level and vertex, from level 1 on
+  EdgeSharpness sharp_edges_;
   std::unordered_map<std::uint64_t, SharpVertex> corners_;  // by level and vertex
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
 
 namespace limes {
@@ -16,6 +17,16 @@ struct FaceAncestry {
   int level;
   std::int64_t path;
   friend bool operator==(const FaceAncestry&, const FaceAncestry&) = default;
+};
+
+/// The mesh that is refined, with its adjacency.
+struct ControlMesh {
+  explicit ControlMesh(const Mesh& control) : mesh(control), adjacency(mesh.topology) {}
+  ControlMesh(const ControlMesh&) = delete;
+  ControlMesh& operator=(const ControlMesh&) = delete;
+
+  Mesh mesh;
+  Adjacency adjacency;
 };
 
 /// A mesh refined in places, however it splits faces: trees on the faces of a control mesh. A leaf is a
@@ -35,7 +46,13 @@ class LocalRefinement {
 
   [[nodiscard]] virtual const Mesh& control() const = 0;
   /// All leaves: trees in order of the control faces, children in order.
-  [[nodiscard]] virtual std::vector<FaceId> leaves() const = 0;
+  [[nodiscard]] std::vector<FaceId> leaves() const;
+  /// Their ids follow each other.
+  struct Children {
+    FaceId first = {};
+    int count = 0;  ///< 0: a leaf
+  };
+  [[nodiscard]] virtual Children children(FaceId f) const = 0;
   [[nodiscard]] virtual FaceAncestry ancestry(FaceId f) const = 0;
   [[nodiscard]] virtual std::span<const VertexId> corners(FaceId f) const = 0;
 
