@@ -94,12 +94,13 @@ Lines edge_lines(const Topology& topology, std::span<const Vec3> points) {
 Figure scene_figure(const Scene& scene, const PictureOptions& options) {
   const PictureSize size = options.direction ? options.size : size_for_plane(scene, options.size);
   Figure figure;
-  figure.image =
-      render(scene, camera_for(scene, options, size), {.size = size, .density = options.density});
+  const Camera camera = camera_for(scene, options, size);
+  figure.image = render(scene, camera, {.size = size, .density = options.density});
   if (options.direction) {
     constexpr double margin = 10;
     figure.image = trimmed(figure.image, scene.background,
                            static_cast<int>(std::lround(margin * options.density)));
+    if (options.axes) figure.axes = camera.axes;
   }
   figure.density = options.density;
   figure.title = options.title;
@@ -155,23 +156,24 @@ Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
                                      : scale_for(robust_range_of(field.values, field.outliers)),
                 .quantity = field.quantity,
                 .unit = field.unit};
-  bar.tip_below = all.low < bar.scale.low;
-  bar.tip_above = all.high > bar.scale.high;
+  const double rounding = 1e-9 * std::max(std::abs(bar.scale.low), std::abs(bar.scale.high));
+  bar.tip_below = all.low < bar.scale.low - rounding;
+  bar.tip_above = all.high > bar.scale.high + rounding;
 
   Surface surface;
   surface.points = field.points;
   surface.triangles = field.triangles;
   surface.values = field.values;
   surface.scale = bar.scale;
-  if (options.direction) {
-    surface.normals = smooth_normals(field.points, field.triangles);
-  } else {
-    surface.shading = Shading::flat;
-  }
+  surface.shading = options.direction ? Shading::faint : Shading::flat;
+  if (options.direction)
+    surface.normals =
+        field.normals.empty() ? smooth_normals(field.points, field.triangles) : field.normals;
   Scene scene;
   scene.surfaces.push_back(std::move(surface));
   if (has_segments(field.behind)) scene.lines.push_back(field.behind);
   if (has_segments(field.mesh_lines)) scene.lines.push_back(field.mesh_lines);
+  if (has_segments(field.borders)) scene.lines.push_back(field.borders);
   Figure figure = scene_figure(scene, options);
   figure.bar = std::move(bar);
   return figure;

@@ -165,9 +165,9 @@ std::optional<Drawing> steps_drawing(const AdaptiveRun& run) {
     if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
     if (s.finer_error) finer.points.emplace_back(s.dofs, *s.finer_error);
   }
-  const auto shown = [](const Series& s) {
-    return std::any_of(s.points.begin(), s.points.end(),
-                       [](const Vec2& point) { return point.y() > 0; });
+  const auto shown = [](const Series& s) {  // one point is no curve
+    return std::count_if(s.points.begin(), s.points.end(),
+                         [](const Vec2& point) { return point.y() > 0; }) > 1;
   };
   if (!shown(estimate) && !shown(error) && !shown(finer)) return std::nullopt;
   std::vector<Series> series{std::move(estimate)};
@@ -206,7 +206,8 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
                       {.title = "Mesh and error of the last step",
                        .caption = "η is the estimated error of an element; what is less than "
                                   "a hundredth of the largest has the lowest colour.",
-                       .direction = direction});
+                       .direction = direction,
+                       .axes = true});
 }
 
 }  // namespace limes
