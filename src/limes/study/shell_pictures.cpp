@@ -93,11 +93,12 @@ Figure ShellPictures::displacement() const {
   field.unit = model.problem.units.length;
   const PieceEdges edges = edges_of_pieces(model);
   add_lines(model, moved, field);
-  field.behind = {.points = points, .segments = edges.borders, .colour = palette::muted};
+  field.behind = {
+      .points = points, .segments = edges.borders, .width = 1.0, .colour = palette::muted};
   const std::string times = factor == 1 ? "" : format_readable(factor) + " times ";
   return field_figure(field, {.title = "Length of the displacement",
                               .caption = "Displacements are drawn " + times +
-                                         "as large as they are; grey: borders before.",
+                                         "as large as they are; grey: the borders before.",
                               .direction = shell_view_direction(),
                               .axes = true});
 }
@@ -112,9 +113,9 @@ std::string ShellPictures::sides_seen() const {
   }
   constexpr double little = 0.001;
   const std::string first = "Top is the side that the faces' normals point to; ";
-  if (bottom < little * top) return first + "it is seen here.";
-  if (top < little * bottom) return first + "the bottom is seen here.";
-  return first + "both sides are seen here.";
+  if (bottom < little * top) return first + "this view shows the top.";
+  if (top < little * bottom) return first + "this view shows the bottom.";
+  return first + "this view shows both sides.";
 }
 
 Figure ShellPictures::von_mises(ShellSide side) const {

@@ -1,7 +1,7 @@
 #include "limes/study/shell_probe.h"
 
 #include "limes/limit/closest_point.h"
-#include "limes/mesh/resolve_tags.h"
+#include "limes/subdiv/features.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
