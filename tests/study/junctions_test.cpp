@@ -64,6 +64,22 @@ TEST(IBeam, BendsAsTimoshenkosBeam) {
   EXPECT_NEAR(r.solution.reactions.at(0).resultant.force.z(), 1, 1e-8);
 }
 
+// Under a force P down at x = L a section turns by P x (2 L - x) / 2 E I about y, by the right-hand rule, and
+// carries P (L - x) z / I; the layers of the upper flange are at h/2 and half a thickness above and below it.
+TEST(IBeam, RotationsAndStressesAreThoseOfBeams) {
+  const Section s;
+  const double I = s.t * s.h * s.h * s.h / 12 + 2 * s.b * s.t * s.h * s.h / 4;
+  const double x = 10.125;  // the middle of an element
+  const ShellResult r = solve_file("i_beam.toml", {"probe.0.at=[10.125, 0.25, 1]"});
+  const ShellProbe& p = r.probes.at(0);
+  EXPECT_NEAR(p.rotation.y() / (x * (2 * s.L - x) / (2 * s.E * I)), 1, 0.01);
+  const double moment = s.L - x;
+  const auto [low, high] = std::minmax(p.state.von_mises.top, p.state.von_mises.bottom);
+  EXPECT_NEAR(p.state.von_mises.middle / (moment * s.h / 2 / I), 1, 0.01);
+  EXPECT_NEAR(high / (moment * (s.h + s.t) / 2 / I), 1, 0.01);
+  EXPECT_NEAR(low / (moment * (s.h - s.t) / 2 / I), 1, 0.01);
+}
+
 TEST(IBeam, TwistsAsVlasovsBeam) {
   const ShellResult r = solve_file("i_beam_torsion.toml", {"mesh.levels=3"});
   EXPECT_NEAR(-r.probes.at(0).displacement.y() / twisted({}), 1, 0.02);
