@@ -33,17 +33,33 @@ inline Vec3 oklab_of(std::span<const std::uint8_t> rgb) {
 struct Reading {
   double value = 0, distance = 1e9;
 };
-inline Reading read_off(std::span<const std::uint8_t> rgb, const ColourScale& scale) {
-  const Vec3 seen = oklab_of(rgb);
-  Reading out;
-  constexpr int n = 500;
-  for (int i = 0; i <= n; ++i) {
-    const double value = scale.low + (scale.high - scale.low) * i / n;
-    const double distance = (oklab_of(to_bytes(scale(value))) - seen).norm();
-    if (distance < out.distance) out = {value, distance};
+
+class BarReader {
+ public:
+  explicit BarReader(const ColourScale& scale) : scale_(scale) {
+    for (std::size_t i = 0; i < bar_.size(); ++i)
+      bar_[i] = oklab_of(to_bytes(scale(value(i))));
   }
-  return out;
-}
+
+  [[nodiscard]] Reading operator()(std::span<const std::uint8_t> rgb) const {
+    const Vec3 seen = oklab_of(rgb);
+    Reading out;
+    for (std::size_t i = 0; i < bar_.size(); ++i) {
+      const double distance = (bar_[i] - seen).norm();
+      if (distance < out.distance) out = {value(i), distance};
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] double value(std::size_t i) const {
+    return scale_.low + (scale_.high - scale_.low) * static_cast<double>(i) /
+                            static_cast<double>(bar_.size() - 1);
+  }
+
+  ColourScale scale_;
+  std::array<Vec3, 501> bar_;
+};
 
 /// Degrees.
 inline double hue_of(const Vec3& lab) {

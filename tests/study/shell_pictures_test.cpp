@@ -15,8 +15,7 @@
 namespace limes {
 namespace {
 
-using testing::oklab_of;
-using testing::read_off;
+using testing::BarReader;
 
 bool is_paper(std::span<const std::uint8_t> pixel) {
   return std::all_of(pixel.begin(), pixel.end(), [](int c) { return c == 255; });
@@ -69,6 +68,7 @@ TEST(ShellPictures, StressJumpsWhereTheThicknessDoes) {
   for (const ShellSide side : {ShellSide::top, ShellSide::bottom}) {
     const Figure figure = ShellPictures(result).von_mises(side);
     const ColourScale& scale = figure.bar->scale;
+    const BarReader read_off(scale);
     EXPECT_EQ(scale.low, 0);
     EXPECT_NEAR(scale.high, 3, 1e-9);
     EXPECT_FALSE(figure.bar->tip_above);
@@ -78,7 +78,7 @@ TEST(ShellPictures, StressJumpsWhereTheThicknessDoes) {
       for (int x = 0; x < figure.image.width(); ++x) {
         const auto pixel = figure.image.pixel(x, y);
         if (is_paper(pixel)) continue;
-        const testing::Reading seen = read_off(pixel, scale);
+        const testing::Reading seen = read_off(pixel);
         constexpr double step = 3 / 500.0;  // of readings, and 4 % for the shading
         const bool on_bar = seen.distance < 0.03;
         if (on_bar && std::abs(seen.value - 3) < 0.12 + step)
@@ -135,6 +135,7 @@ TEST(ShellPictures, EveryElementHasTheColourOfItsStress) {
   for (const ShellSide side : {ShellSide::top, ShellSide::bottom}) {
     const Figure figure = ShellPictures(result).von_mises(side);
     const ColourScale& scale = figure.bar->scale;
+    const BarReader read_off(scale);
     for (int f = 0; f < result.model.mesh->topology.num_faces(); ++f) {
       const ShellQuad quad = result.model.quad(FaceId(f));
       const ShellSection section = result.model.section(FaceId(f));
@@ -145,7 +146,7 @@ TEST(ShellPictures, EveryElementHasTheColourOfItsStress) {
           section.thickness, z);
       const Vec2 at = pixel_of(quad.position({0.2, 0.2}));  // not on the diagonal
       const testing::Reading seen =
-          read_off(figure.image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y())), scale);
+          read_off(figure.image.pixel(static_cast<int>(at.x()), static_cast<int>(at.y())));
       EXPECT_NEAR(seen.value, stress, 0.045 * scale.high) << f;
     }
   }

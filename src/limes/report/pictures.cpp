@@ -148,9 +148,26 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
   return figure;
 }
 
-Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
+Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space) {
   if (field.values.size() != field.points.size())
     throw InputError("picture: {} values for {} points", field.values.size(), field.points.size());
+  Surface surface;
+  surface.points = field.points;
+  surface.triangles = field.triangles;
+  surface.values = field.values;
+  surface.scale = scale;
+  surface.shading = in_space ? Shading::faint : Shading::flat;
+  if (in_space)
+    surface.normals =
+        field.normals.empty() ? smooth_normals(field.points, field.triangles) : field.normals;
+  Scene scene;
+  scene.surfaces.push_back(std::move(surface));
+  for (const Lines* lines : {&field.behind, &field.mesh_lines, &field.borders})
+    if (has_segments(*lines)) scene.lines.push_back(*lines);
+  return scene;
+}
+
+Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
   const Range all = range_of(field.values);
   ColourBar bar{.scale = field.scale ? *field.scale
                                      : scale_for(robust_range_of(field.values, field.outliers)),
@@ -159,22 +176,8 @@ Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
   const double rounding = 1e-9 * std::max(std::abs(bar.scale.low), std::abs(bar.scale.high));
   bar.tip_below = all.low < bar.scale.low - rounding;
   bar.tip_above = all.high > bar.scale.high + rounding;
-
-  Surface surface;
-  surface.points = field.points;
-  surface.triangles = field.triangles;
-  surface.values = field.values;
-  surface.scale = bar.scale;
-  surface.shading = options.direction ? Shading::faint : Shading::flat;
-  if (options.direction)
-    surface.normals =
-        field.normals.empty() ? smooth_normals(field.points, field.triangles) : field.normals;
-  Scene scene;
-  scene.surfaces.push_back(std::move(surface));
-  if (has_segments(field.behind)) scene.lines.push_back(field.behind);
-  if (has_segments(field.mesh_lines)) scene.lines.push_back(field.mesh_lines);
-  if (has_segments(field.borders)) scene.lines.push_back(field.borders);
-  Figure figure = scene_figure(scene, options);
+  Figure figure =
+      scene_figure(field_scene(field, bar.scale, options.direction.has_value()), options);
   figure.bar = std::move(bar);
   return figure;
 }

@@ -47,8 +47,8 @@ struct FieldPicture {
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<double> values;  ///< per point; NaN: no data
-  std::string quantity;  ///< "σ_{xx}"
-  std::string unit;      ///< "N/mm²"
+  std::string quantity;        ///< "σ_{xx}"
+  std::string unit;            ///< "N/mm²"
   /// Empty: chosen by the values (scale_for), leaving out `outliers` of them at either end.
   std::optional<ColourScale> scale = {};
   double outliers = 0;
@@ -58,6 +58,8 @@ struct FieldPicture {
   /// Per point, for the shading in space; empty: from the triangles. They change the colours by 6 % at most.
   std::vector<Vec3> normals = {};
 };
+/// @param in_space  seen from any side: shaded faintly
+[[nodiscard]] Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space);
 [[nodiscard]] Figure field_figure(const FieldPicture& field, const PictureOptions& options);
 
 /// (c) A shaded surface, with a control mesh around it where it is seen.

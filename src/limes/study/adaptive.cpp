@@ -202,12 +202,14 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
     field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
     field.mesh_lines.width = 0.35;
   }
-  return field_figure(field,
-                      {.title = "Mesh and error of the last step",
-                       .caption = "η is the estimated error of an element; what is less than "
-                                  "a hundredth of the largest has the lowest colour.",
-                       .direction = direction,
-                       .axes = true});
+  return field_figure(
+      field, {.title = "Mesh and error of the last step",
+              .caption = fmt::format(
+                  "η is the estimated error of an element in the energy norm, η_{{max}} = {} the "
+                  "largest; what is less than a hundredth of it has the lowest colour.",
+                  format_readable(largest)),
+              .direction = direction,
+              .axes = true});
 }
 
 }  // namespace limes

@@ -118,10 +118,9 @@ std::string ShellPictures::sides_seen() const {
   return first + "this view shows both sides.";
 }
 
-Figure ShellPictures::von_mises(ShellSide side) const {
+FieldPicture ShellPictures::stress_field(const std::vector<double>& values) const {
   const ShellModel& model = result_.model;
   const Topology& t = model.mesh->topology;
-  const std::vector<double>& values = side == ShellSide::top ? top_ : bottom_;
   FieldPicture field = surface(model.mesh->points.vector());
   for (int f = 0; f < t.num_faces(); ++f)
     field.values.insert(field.values.end(), static_cast<std::size_t>(t.face_size(FaceId(f))),
@@ -130,6 +129,12 @@ Figure ShellPictures::von_mises(ShellSide side) const {
   field.quantity = "σ_{vM}";
   field.unit = stress_unit(model.problem.units);
   field.scale = stress_scale_;
+  return field;
+}
+
+Figure ShellPictures::von_mises(ShellSide side) const {
+  const std::vector<double>& values = side == ShellSide::top ? top_ : bottom_;
+  const FieldPicture field = stress_field(values);
   const auto largest = std::max_element(values.begin(), values.end());
   const FaceId where(static_cast<int>(largest - values.begin()));
   return field_figure(
@@ -138,9 +143,18 @@ Figure ShellPictures::von_mises(ShellSide side) const {
            fmt::format("Von Mises stress at the {}", side == ShellSide::top ? "top" : "bottom"),
        .caption = fmt::format(
            "Largest: {} at {}. {}", with_unit(format_readable(*largest), field.unit),
-           point_text(model.quad(where).position(Vec2::Zero()), model.diagonal), sides_seen()),
+           point_text(result_.model.quad(where).position(Vec2::Zero()), result_.model.diagonal),
+           sides_seen()),
        .direction = shell_view_direction(),
        .axes = true});
+}
+
+std::optional<View3d> ShellPictures::view() const {
+  constexpr int most_faces_to_turn = 5'000;  // some 300 bytes of the report each
+  if (result_.model.mesh->topology.num_faces() > most_faces_to_turn) return std::nullopt;
+  return View3d{.scene = field_scene(stress_field(top_), stress_scale_, true),
+                .direction = shell_view_direction(),
+                .description = "Von Mises stress at the top"};
 }
 
 }  // namespace limes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "limes/report/pictures.h"
+#include "limes/report/view3d.h"
 #include "limes/study/shell_layers.h"
 #include "limes/study/shell_result.h"
 
@@ -27,10 +28,13 @@ class ShellPictures {
   [[nodiscard]] Figure displacement() const;
   /// One value per element, at its centre: nothing is averaged. Both sides have the same scale, from 0.
   [[nodiscard]] Figure von_mises(ShellSide side) const;
+  /// The stress at the top as a model to turn; none of a mesh so fine that it would make the report large.
+  [[nodiscard]] std::optional<View3d> view() const;
 
  private:
   /// Triangles with a corner of their own at every corner of a face; values are still missing.
   [[nodiscard]] FieldPicture surface(const std::vector<Vec3>& points) const;
+  [[nodiscard]] FieldPicture stress_field(const std::vector<double>& values) const;
   [[nodiscard]] std::string sides_seen() const;
 
   const ShellResult& result_;

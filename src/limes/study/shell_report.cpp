@@ -102,6 +102,8 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
   add_picture(drawing(pictures.von_mises(ShellSide::top)), "von-mises-top.png", report, files);
   add_picture(drawing(pictures.von_mises(ShellSide::bottom)), "von-mises-bottom.png", report,
               files);
+  if (const auto view = pictures.view())
+    report.view(*view, "The stress at the top, in the colours of the pictures above, to turn.");
   if (result.adaptive)
     add_adaptive_section(*result.model.problem.adapt, *result.adaptive, *result.model.mesh,
                          shell_view_direction(), report, files);
