@@ -157,8 +157,9 @@ TEST(ShellPictures, CaptionsSayWhichSideIsSeen) {
   const ShellResult strip = stepped_strip();
   EXPECT_NE(ShellPictures(strip).von_mises(ShellSide::top).caption.find("this view shows the top"),
             std::string::npos);
-  const ShellResult cylinder = run_shell_problem(read_problem(
-      std::filesystem::path(LIMES_DATA_DIR) / "cylinder_plate_a.toml", {"mesh.levels=1"}));
+  const std::vector<std::string> coarse{"mesh.levels=1"};
+  const ShellResult cylinder = run_shell_problem(
+      read_problem(std::filesystem::path(LIMES_DATA_DIR) / "cylinder_plate_a.toml", coarse));
   EXPECT_NE(ShellPictures(cylinder).von_mises(ShellSide::top).caption.find("shows both sides"),
             std::string::npos);
 }

@@ -12,13 +12,15 @@
       n = turn * normal; c = colour;
       gl_Position = vec4(lens.x * p.x, lens.y * p.y, lens.z * p.z + lens.w, -p.z);
     }`;
-  // The same lights as in the still pictures (raster_shader.h); no normal means no light.
+  // The same lights as in the still pictures (raster_shader.h): no normal means none, a short one the
+  // faint shading of fields.
   const fragmentShader = `#version 300 es
     precision highp float;
     in vec3 n; in vec3 c; out vec4 colour;
     void main() {
       if (dot(n, n) < 0.01) { colour = vec4(c, 1.0); return; }
       vec3 m = normalize(n) * (gl_FrontFacing ? 1.0 : -1.0);
+      if (dot(n, n) < 0.09) { colour = vec4(c * (0.94 + 0.06 * max(0.0, m.z)), 1.0); return; }
       float wrapped = max(0.0, 0.25 + 0.75 * dot(m, vec3(-0.466, 0.577, 0.671)));
       float light = 0.22 + 0.62 * wrapped * wrapped + 0.18 * max(0.0, dot(m, vec3(0.883, 0.052, 0.467)))
                   + 0.18 * max(0.0, m.z);

@@ -89,6 +89,7 @@ Figure ShellPictures::displacement() const {
   field.normals.clear();  // those of the undeformed shape
   for (int i = 0; i < t.num_corners(); ++i)
     field.values.push_back(length[static_cast<std::size_t>(t.corner(HalfedgeId(i)).value)]);
+  field.scale = ColourScale{.low = 0, .high = range_of(length).high};
   field.quantity = "|u|";
   field.unit = model.problem.units.length;
   const PieceEdges edges = edges_of_pieces(model);
@@ -150,9 +151,11 @@ Figure ShellPictures::von_mises(ShellSide side) const {
 }
 
 std::optional<View3d> ShellPictures::view() const {
-  constexpr int most_faces_to_turn = 5'000;  // some 300 bytes of the report each
+  constexpr int most_faces_to_turn = 5'000;  // some 200 bytes of the report each
   if (result_.model.mesh->topology.num_faces() > most_faces_to_turn) return std::nullopt;
-  return View3d{.scene = field_scene(stress_field(top_), stress_scale_, true),
+  FieldPicture field = stress_field(top_);
+  field.mesh_lines = {};  // lines have one width there, however fine the mesh
+  return View3d{.scene = field_scene(field, stress_scale_, true),
                 .direction = shell_view_direction(),
                 .description = "Von Mises stress at the top"};
 }
