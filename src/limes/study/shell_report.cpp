@@ -46,15 +46,16 @@ void add_probes(const ShellResult& result, HtmlReport& report) {
   if (result.probes.empty()) return;
   const UnitSettings& units = result.model.problem.units;
   report.section("Probes");
-  Table places{in_unit("Nearest points of the elements, and their displacements", units.length),
+  report.paragraph(
+      "What the nearest points of the elements do. Vectors have components along the axes x, y, z "
+      "of the "
+      "model; rotations are those of one small turn about these axes, by the right-hand rule, in "
+      "radians.");
+  Table places{in_unit("Points and displacements", units.length),
                {"probe", "x", "y", "z", "u_{x}", "u_{y}", "u_{z}"},
                {}};
-  Table turns{
-      "Rotations about the axes x, y, z of the model, in radians; by the right-hand rule, as "
-      "parts of one small turn",
-      {"probe", "θ_{x}", "θ_{y}", "θ_{z}"},
-      {}};
-  Table stresses{in_unit("Von Mises stresses at the centres of the elements", stress_unit(units)),
+  Table turns{"Rotations, in radians", {"probe", "θ_{x}", "θ_{y}", "θ_{z}"}, {}};
+  Table stresses{in_unit("Von Mises stresses at the centre of the element", stress_unit(units)),
                  {"probe", "element", "top", "middle", "bottom"},
                  {}};
   for (const ShellProbe& p : result.probes) {
