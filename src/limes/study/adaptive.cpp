@@ -204,10 +204,10 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
   }
   return field_figure(
       field, {.title = "Mesh and error of the last step",
-              .caption = fmt::format(
-                  "η is the estimated error of an element in the energy norm, η_{{max}} = {} the "
-                  "largest; what is less than a hundredth of it has the lowest colour.",
-                  format_readable(largest)),
+              .caption = fmt::format("η: estimated error of an element in the energy norm, at most "
+                                     "η_{{max}} = {}. Below a hundredth of that: the lowest "
+                                     "colour.",
+                                     format_readable(largest)),
               .direction = direction,
               .axes = true});
 }
