@@ -74,6 +74,25 @@
     return axis === "x" ? [[1, 0, 0], [0, c, -s], [0, s, c]] : [[c, 0, s], [0, 1, 0], [-s, 0, c]];
   }
 
+  // x, y, z in the lower left corner, in the colours of the still pictures (axes_triad.cpp); returns what turns them.
+  function addTriad(view, canvas) {
+    const axis = (name, colour) => `<line stroke="${colour}"/><text fill="${colour}">${name}</text>`;
+    view.insertAdjacentHTML("beforeend", `<svg class="triad" viewBox="-45 -45 90 90">
+      ${axis("x", "#c8452f")}${axis("y", "#2f8a57")}${axis("z", "#1f5fa8")}</svg>`);
+    const svg = view.querySelector(".triad"), lines = svg.querySelectorAll("line"), labels = svg.querySelectorAll("text");
+    return turn => {
+      svg.style.top = `${canvas.offsetTop + canvas.clientHeight - 96}px`;
+      for (let i = 0; i < 3; ++i) {
+        const x = 28 * turn[0][i], y = -28 * turn[1][i], length = Math.hypot(x, y);
+        lines[i].setAttribute("x2", x);
+        lines[i].setAttribute("y2", y);
+        const seen = length > 4, out = 1 + 10 / length;     // along the line of sight: the letter beside the middle
+        labels[i].setAttribute("x", seen ? out * x : 10);
+        labels[i].setAttribute("y", (seen ? out * y : -10) + 4);
+      }
+    };
+  }
+
   function start(view) {
     const canvas = view.querySelector("canvas");
     const gl = canvas.getContext("webgl2", {antialias: true});
@@ -84,10 +103,12 @@
     const slope = Number(view.dataset.slope);           // tangent of half the opening angle
     const home = JSON.parse(view.dataset.axes);
     const edges = view.querySelector("input");
+    const turnTriad = addTriad(view, canvas);
     let axes, distance, pan;
     const reset = () => { axes = home; distance = 1.04 / Math.sin(Math.atan(slope)); pan = [0, 0]; };
 
     const draw = () => {
+      turnTriad(axes);
       const ratio = window.devicePixelRatio || 1;
       canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
       canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
