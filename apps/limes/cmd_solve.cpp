@@ -106,8 +106,8 @@ std::string summary(const ShellResult& result) {
       fmt::format("{} unknowns, {} elements, strain energy {}\n", result.solution.num_unknowns,
                   result.model.mesh->topology.num_faces(), shown(result.solution.strain_energy));
   for (const ShellProbe& p : result.probes)
-    text += fmt::format("probe {}: displacement {}, rotation {}\n", p.name, shown(p.displacement),
-                        shown(p.rotation));
+    text += fmt::format("probe {}: displacement {}, rotation {} rad\n", p.name,
+                        shown(p.displacement), shown(p.rotation));
   for (const ShellSolution::Reaction& r : result.solution.reactions)
     text += fmt::format("reaction at {}: force {}, moment {}\n", r.where, shown(r.resultant.force),
                         shown(r.resultant.moment));

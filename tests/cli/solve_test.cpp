@@ -176,6 +176,82 @@ TEST_F(Solve, ShowsTheErrorOfEveryElement) {
     }
 }
 
+TEST_F(Solve, DrawsShellsToTheSameBytesForAnyNumberOfThreads) {
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(run_limes({"solve", data_file("hole_5.toml"), "-o", folder / threads, "--threads",
+                         threads, "--set", "adapt.max_steps=2"})
+                  .exit_code,
+              0);
+  for (const char* file :
+       {"/displacement.png", "/von-mises-top.png", "/von-mises-bottom.png", "/adapted-mesh.png",
+        "/convergence.png", "/report.html", "/result.vtu"}) {
+    const std::string bytes = read_file(folder / "1" + file);
+    EXPECT_FALSE(bytes.empty()) << file;
+    EXPECT_EQ(bytes, read_file(folder / "2" + file)) << file;
+  }
+}
+
+// The rotation of a plate strip under a moment m at its end: m L / (E t^3 / 12), about y and positive where z
+// turns to x.
+TEST_F(Solve, ReportsRotationsOfShellsInRadians) {
+  const std::string text = R"([mesh]
+file = "square.obj"
+scheme = "linear"
+levels = 1
+[model]
+kind = "mitc4"
+[material]
+young = 12e3
+poisson = 0
+thickness = 0.1
+[[support]]
+where = "x == 0"
+kind = "clamped"
+[[load]]
+where = "vertex:2"
+moment = [0, 0.0005, 0]
+[[load]]
+where = "vertex:5"
+moment = [0, 0.0005, 0]
+[[load]]
+where = "x == 2 and y == 0.5"
+moment = [0, 0.001, 0]
+[[probe]]
+name = "end"
+at = [2, 0.5, 0]
+)";
+  const std::string out = folder / "out";
+  const Result result = run_limes({"solve", folder.file("strip.toml", text), "-o", out, "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["units"]["rotation"], "rad");
+  const Json& end = json["probes"]["end"];
+  EXPECT_NEAR(end["rotation"][0], 0, 1e-12);
+  EXPECT_NEAR(end["rotation"][1], 0.004, 1e-9);
+  EXPECT_NEAR(end["von_mises"]["top"], 0.002 * 6 / 0.01, 1e-9);  // 6 m / t^2
+  EXPECT_NEAR(end["von_mises"]["middle"], 0, 1e-9);
+  const std::string report = read_file(out + "/report.html");
+  EXPECT_NE(report.find("in radians"), std::string::npos);
+  EXPECT_NE(report.find("θ<sub>y</sub>"), std::string::npos);
+  EXPECT_NE(report.find(">0.004<"), std::string::npos);
+  for (const char* title : {"Von Mises stress at the top", "Von Mises stress at the bottom"})
+    EXPECT_NE(report.find(title), std::string::npos) << title;
+}
+
+TEST_F(Solve, OneStepHasNoDiagramOfConvergence) {
+  for (const char* name : {"l_shape.toml", "hole_5.toml"}) {
+    const std::string out = folder / name;
+    ASSERT_EQ(
+        run_limes({"solve", data_file(name), "-o", out, "--set", "adapt.max_steps=1"}).exit_code,
+        0);
+    EXPECT_FALSE(std::filesystem::exists(out + "/convergence.png")) << name;
+    EXPECT_TRUE(std::filesystem::exists(out + "/adapted-mesh.png")) << name;
+    EXPECT_NE(read_file(out + "/report.html").find("There is no diagram of the error"),
+              std::string::npos)
+        << name;
+  }
+}
+
 // Shells: on an exact surface with curves, with shapes optimised after each step, of parts on a seam, with
 // junctions, and by the scheme.
 TEST_F(Solve, ResumesShellsToTheSameBytes) {

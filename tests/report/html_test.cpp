@@ -208,6 +208,16 @@ TEST(View3d, DataHoldTheModelInTheUnitBall) {
   EXPECT_EQ(block(html, "lines-indices"), std::string("\0\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0", 16));
 }
 
+// The viewer tells the light by the length of the normals: full where lit, short where faint, none where flat.
+TEST(View3d, NormalsSayTheKindOfLight) {
+  for (const auto& [shading, length] :
+       {std::pair(Shading::lit, 127), std::pair(Shading::faint, 32), std::pair(Shading::flat, 0)}) {
+    View3d view = tetrahedron();
+    view.scene.surfaces[0].shading = shading;
+    EXPECT_EQ(block(to_html(view), "surface-normals")[2], -length);
+  }
+}
+
 TEST(View3d, BrokenScenesAreInputErrors) {
   View3d view = tetrahedron();
   view.scene.surfaces[0].triangles[0][1] = 99;

@@ -32,11 +32,13 @@ struct Section {
   double E = 1e7, G = E / 2.6, t = 0.05, b = 1, h = 2, L = 20;
 };
 
-// Timoshenko's beam: P L^3 / 3 E I + P L / (G A_s), with the shear flow q = V Q / I of a thin-walled section,
-// 1 / A_s = integral of Q^2 / t over I^2: Q = t h s / 2 along each half flange, plus t (h^2/4 - z^2) / 2 in
-// the web.
-double bent(const Section& s) {
-  const double I = s.t * s.h * s.h * s.h / 12 + 2 * s.b * s.t * s.h * s.h / 4;
+double inertia(const Section& s) {
+  return s.t * s.h * s.h * s.h / 12 + 2 * s.b * s.t * s.h * s.h / 4;
+}
+
+// With the shear flow q = V Q / I of a thin-walled section, 1 / A_s = integral of Q^2 / t over I^2: Q = t h s / 2
+// along each half flange, plus t (h^2/4 - z^2) / 2 in the web.
+double over_shear_area(const Section& s) {
   const double flange = std::pow(s.t * s.h / 2, 2) * std::pow(s.b / 2, 3) / 3 / s.t;
   double web = 0;
   constexpr int n = 1000;
@@ -44,8 +46,12 @@ double bent(const Section& s) {
     const double z = s.h * ((i + 0.5) / n - 0.5);
     web += std::pow(s.t * s.b * s.h / 2 + s.t * (s.h * s.h / 4 - z * z) / 2, 2) / s.t * s.h / n;
   }
-  const double over_shear_area = (4 * flange + web) / (I * I);
-  return s.L * s.L * s.L / (3 * s.E * I) + s.L * over_shear_area / s.G;
+  return (4 * flange + web) / std::pow(inertia(s), 2);
+}
+
+// Timoshenko's beam: P L^3 / 3 E I + P L / (G A_s).
+double bent(const Section& s) {
+  return s.L * s.L * s.L / (3 * s.E * inertia(s)) + s.L * over_shear_area(s) / s.G;
 }
 
 // Vlasov's: G J phi' - E C phi''' = T with phi' = 0 at the clamped end and phi'' = 0 at the other. J of a flange
@@ -62,6 +68,22 @@ TEST(IBeam, BendsAsTimoshenkosBeam) {
   EXPECT_NEAR(-r.probes.at(0).displacement.z() / bent({}), 1, 0.01);
   EXPECT_EQ(r.solution.num_kink_nodes, 2 * 81);
   EXPECT_NEAR(r.solution.reactions.at(0).resultant.force.z(), 1, 1e-8);
+}
+
+// Under a force P down at the end the flange slopes by P x (2 L - x) / 2 E I + P / (G A_s) and turns by that about
+// y, by the right-hand rule. It carries P (L - x) z / I; its layers are half a thickness apart.
+TEST(IBeam, RotationsAndStressesAreThoseOfBeams) {
+  const Section s;
+  const double x = 10.125;  // the middle of an element
+  const ShellResult r = solve_file("i_beam.toml", {"probe.0.at=[10.125, 0.25, 1]"});
+  const ShellProbe& p = r.probes.at(0);
+  const double slope = x * (2 * s.L - x) / (2 * s.E * inertia(s)) + over_shear_area(s) / s.G;
+  EXPECT_NEAR(p.rotation.y() / slope, 1, 0.01);
+  const double per_height = (s.L - x) / inertia(s);
+  const auto [low, high] = std::minmax(p.state.von_mises.top, p.state.von_mises.bottom);
+  EXPECT_NEAR(p.state.von_mises.middle / (per_height * s.h / 2), 1, 0.01);
+  EXPECT_NEAR(high / (per_height * (s.h + s.t) / 2), 1, 0.01);
+  EXPECT_NEAR(low / (per_height * (s.h - s.t) / 2), 1, 0.01);
 }
 
 TEST(IBeam, TwistsAsVlasovsBeam) {

@@ -82,6 +82,10 @@ Range robust_range_of(std::span<const double> values, double outliers) {
 
 ColourScale scale_for(const Range& range) {
   if (range.low < 0 && range.high > 0) return diverging_scale(range);
+  if (range.high - range.low <= 1e-9 * std::max(std::abs(range.low), std::abs(range.high))) {
+    const double middle = range.low + (range.high - range.low) / 2;
+    return {.map = &ColourMap::sequential(), .low = middle, .high = middle};
+  }
   return {.map = &ColourMap::sequential(), .low = range.low, .high = range.high};
 }
 

@@ -53,7 +53,8 @@ struct Range {
 /// do not bleach the rest of the picture.
 [[nodiscard]] Range robust_range_of(std::span<const double> values, double outliers);
 
-/// A scale over the range: diverging and symmetric about 0 if both signs occur, else sequential.
+/// A scale over the range: diverging and symmetric about 0 if both signs occur, else sequential. A range
+/// that only rounding makes wide (1e-9 of its values) is one value.
 [[nodiscard]] ColourScale scale_for(const Range& range);
 /// Diverging, from -m to m, where m is the larger magnitude of the range.
 [[nodiscard]] ColourScale diverging_scale(const Range& range);

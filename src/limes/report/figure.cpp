@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limes/core/error.h"
+#include "limes/report/axes_triad.h"
 #include "limes/report/legend.h"
 #include "limes/report/ticks.h"
 
@@ -20,12 +21,14 @@ constexpr const TextStyle& caption_style = figure_style::caption;
 constexpr double bar_width = 16;
 constexpr double bar_gap = 24;
 constexpr double tip_height = 12;
+constexpr double axes_gap = 18;  // above the axes
 
 /// Where the parts of a figure go.
 class FigureLayout {
  public:
   explicit FigureLayout(const Figure& figure) : figure_(figure) {
     LIMES_ASSERT(!figure.image.empty() && figure.density > 0);
+    if (figure.axes) axes_.emplace(*figure.axes);
     image_size_ = Vec2(figure.image.width(), figure.image.height()) / figure.density;
     lay_out_columns();
     double y = margin;
@@ -35,7 +38,9 @@ class FigureLayout {
       y += static_cast<double>(title_lines_.size()) * title_style.size * line_height + 6;
     }
     image_corner_ = {margin, y};
-    y += std::max(image_size_[1], figure.bar ? bar_heading_height() + 120 : 0.0);
+    column_height_ =
+        std::max(image_size_[1], (figure.bar ? bar_heading_height() + 120 : 0.0) + axes_height());
+    y += column_height_;
     legend_y_ = y;
     legend_.emplace(figure.legend, content_width());
     y += legend_->height();
@@ -54,6 +59,9 @@ class FigureLayout {
     draw_lines(canvas, title_lines_, title_y_, title_style);
     canvas.image(image_corner_, image_size_, figure_.image);
     if (figure_.bar) draw_bar(canvas, *figure_.bar);
+    if (axes_)
+      axes_->draw(canvas, {image_corner_[0] + image_size_[0] + bar_gap,
+                           image_corner_[1] + column_height_ - axes_->size()[1]});
     legend_->draw(canvas, {margin, legend_y_});
     draw_lines(canvas, caption_lines_, caption_y_, caption_style);
   }
@@ -64,21 +72,25 @@ class FigureLayout {
     return static_cast<double>(heading_.size()) * label_style.size * line_height + 8;
   }
 
+  [[nodiscard]] double axes_height() const { return axes_ ? axes_->size()[1] + axes_gap : 0; }
+
   void lay_out_columns() {
     width_ = image_size_[0] + 2 * margin;
+    double column = axes_ ? axes_->size()[0] : 0;
     if (figure_.bar) {
       const ColourBar& bar = *figure_.bar;
       ticks_ = linear_ticks(bar.scale.low, bar.scale.high, 9);
       heading_ = {bar.quantity};
       if (!bar.unit.empty()) heading_.push_back("in " + bar.unit);
       if (ticks_.exponent != 0) heading_.push_back(ticks_.factor());
-      double column = 0;
+      double texts = 0;
       for (const std::string& label : ticks_.labels)
-        column = std::max(column, bar_width + 10 + text_width(label, label_style.size));
+        texts = std::max(texts, bar_width + 10 + text_width(label, label_style.size));
       for (const std::string& line : heading_)
-        column = std::max(column, text_width(line, label_style.size));
-      width_ += bar_gap + 1.12 * column;  // a viewer's font may be wider than ours
+        texts = std::max(texts, text_width(line, label_style.size));
+      column = std::max(column, 1.12 * texts);  // a viewer's font may be wider than ours
     }
+    if (column > 0) width_ += bar_gap + column;
     width_ = std::ceil(std::max(width_, 300.0));
   }
 
@@ -97,6 +109,8 @@ class FigureLayout {
   std::vector<std::string> title_lines_, caption_lines_, heading_;
   double title_y_ = 0, caption_y_ = 0;
   Vec2 image_corner_, image_size_;
+  double column_height_ = 0;  // of the image and of what stands right of it
+  std::optional<AxesTriad> axes_;
   Ticks ticks_;
   std::optional<LegendLayout> legend_;
   double legend_y_ = 0;
@@ -122,7 +136,8 @@ void FigureLayout::draw_bar(Canvas& canvas, const ColourBar& bar) const {
     top += label_style.size * line_height;
   }
   top += 8 + (bar.tip_above ? tip_height : 4);
-  const double space = image_corner_[1] + image_size_[1] - top - (bar.tip_below ? tip_height : 4);
+  const double space =
+      image_corner_[1] + column_height_ - axes_height() - top - (bar.tip_below ? tip_height : 4);
   const double height = std::clamp(space, 90.0, 420.0);
   const Stroke outline{palette::muted, 0.8};
   canvas.image({left, top}, {bar_width, height}, bar_image(bar.scale, height));

@@ -35,6 +35,8 @@ struct Figure {
   std::string caption;
   std::optional<ColourBar> bar;     ///< right of the image
   std::vector<LegendEntry> legend;  ///< below the image
+  /// Of the camera (Camera::axes): x, y, z are drawn right of the image, as it sees them.
+  std::optional<Mat3> axes = {};
 };
 
 [[nodiscard]] Drawing drawing(const Figure& figure);

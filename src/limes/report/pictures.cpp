@@ -94,12 +94,13 @@ Lines edge_lines(const Topology& topology, std::span<const Vec3> points) {
 Figure scene_figure(const Scene& scene, const PictureOptions& options) {
   const PictureSize size = options.direction ? options.size : size_for_plane(scene, options.size);
   Figure figure;
-  figure.image =
-      render(scene, camera_for(scene, options, size), {.size = size, .density = options.density});
+  const Camera camera = camera_for(scene, options, size);
+  figure.image = render(scene, camera, {.size = size, .density = options.density});
   if (options.direction) {
     constexpr double margin = 10;
     figure.image = trimmed(figure.image, scene.background,
                            static_cast<int>(std::lround(margin * options.density)));
+    if (options.axes) figure.axes = camera.axes;
   }
   figure.density = options.density;
   figure.title = options.title;
@@ -147,32 +148,36 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
   return figure;
 }
 
-Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
+Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space) {
   if (field.values.size() != field.points.size())
     throw InputError("picture: {} values for {} points", field.values.size(), field.points.size());
+  Surface surface;
+  surface.points = field.points;
+  surface.triangles = field.triangles;
+  surface.values = field.values;
+  surface.scale = scale;
+  surface.shading = in_space ? Shading::faint : Shading::flat;
+  if (in_space)
+    surface.normals =
+        field.normals.empty() ? smooth_normals(field.points, field.triangles) : field.normals;
+  Scene scene;
+  scene.surfaces.push_back(std::move(surface));
+  for (const Lines* lines : {&field.behind, &field.mesh_lines, &field.borders})
+    if (has_segments(*lines)) scene.lines.push_back(*lines);
+  return scene;
+}
+
+Figure field_figure(const FieldPicture& field, const PictureOptions& options) {
   const Range all = range_of(field.values);
   ColourBar bar{.scale = field.scale ? *field.scale
                                      : scale_for(robust_range_of(field.values, field.outliers)),
                 .quantity = field.quantity,
                 .unit = field.unit};
-  bar.tip_below = all.low < bar.scale.low;
-  bar.tip_above = all.high > bar.scale.high;
-
-  Surface surface;
-  surface.points = field.points;
-  surface.triangles = field.triangles;
-  surface.values = field.values;
-  surface.scale = bar.scale;
-  if (options.direction) {
-    surface.normals = smooth_normals(field.points, field.triangles);
-  } else {
-    surface.shading = Shading::flat;
-  }
-  Scene scene;
-  scene.surfaces.push_back(std::move(surface));
-  if (has_segments(field.behind)) scene.lines.push_back(field.behind);
-  if (has_segments(field.mesh_lines)) scene.lines.push_back(field.mesh_lines);
-  Figure figure = scene_figure(scene, options);
+  const double rounding = 1e-9 * std::max(std::abs(bar.scale.low), std::abs(bar.scale.high));
+  bar.tip_below = all.low < bar.scale.low - rounding;
+  bar.tip_above = all.high > bar.scale.high + rounding;
+  Figure figure =
+      scene_figure(field_scene(field, bar.scale, options.direction.has_value()), options);
   figure.bar = std::move(bar);
   return figure;
 }

@@ -35,6 +35,7 @@ struct PictureOptions {
   /// Look along this direction, in perspective; without it straight from +z onto a plane model.
   std::optional<Vec3> direction = {};
   Vec3 up = Vec3(0, 0, 1);  ///< with a direction only
+  bool axes = false;        ///< with a direction only: x, y, z beside the picture, as they are seen
 };
 
 /// (a) A control mesh: faces in the colours of their categories, dark edges, extraordinary vertices
@@ -52,8 +53,13 @@ struct FieldPicture {
   std::optional<ColourScale> scale = {};
   double outliers = 0;
   Lines mesh_lines = {};  ///< drawn over the field, e.g. edge_lines(); may be empty
+  Lines borders = {};     ///< drawn over these, e.g. the borders of parts; may be empty
   Lines behind = {};      ///< drawn where the field does not hide it; may be empty
+  /// Per point, for the shading in space; empty: from the triangles. They change the colours by 6 % at most.
+  std::vector<Vec3> normals = {};
 };
+/// @param in_space  seen from any side: shaded faintly
+[[nodiscard]] Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space);
 [[nodiscard]] Figure field_figure(const FieldPicture& field, const PictureOptions& options);
 
 /// (c) A shaded surface, with a control mesh around it where it is seen.

@@ -34,7 +34,7 @@ struct PreparedSurface {
   std::vector<Triangle> triangles;
   std::vector<float> iso_lines;         ///< on the same scale as Vertex::value
   std::vector<Eigen::Vector3f> facets;  ///< per source triangle, in the camera's frame; only where
-                                        ///< a lit surface has no normals
+                                        ///< a shaded surface has no normals
 };
 
 /// A segment in samples' coordinates.

@@ -118,7 +118,7 @@ class SurfacePreparation {
       inside[p] = projector_.is_inside(v.position);
       if (inside[p]) result_.vertices[p] = to_vertex(v, projector_);
     });
-    if (surface_.shading == Shading::lit && surface_.normals.empty()) add_facets();
+    if (surface_.shading != Shading::flat && surface_.normals.empty()) add_facets();
     result_.triangles.reserve(surface_.triangles.size());
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
       const auto& [a, b, c] = surface_.triangles[t];

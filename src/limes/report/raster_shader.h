@@ -30,6 +30,13 @@ inline Colour lit(const Colour& colour, const Eigen::Vector3f& normal) {
   return {apply(colour.r), apply(colour.g), apply(colour.b)};
 }
 
+/// A colour that stands for a value: all components scaled alike, so that the hue stays and the value can be
+/// read off the bar, by 0.94 where the surface is seen edge-on.
+inline Colour faintly_shaded(const Colour& colour, const Eigen::Vector3f& normal) {
+  const float part = 0.94F + 0.06F * std::clamp(normal[2], 0.0F, 1.0F);
+  return {part * colour.r, part * colour.g, part * colour.b};
+}
+
 /// Colours the samples of one triangle from its corners' attributes.
 class Shader {
  public:
@@ -63,7 +70,15 @@ class Shader {
         x /= sum;
     }
     const Colour base = base_colour(l);
-    return surface_.shading == Shading::lit ? lit(base, normal(l)) : base;
+    switch (surface_.shading) {
+      case Shading::lit:
+        return lit(base, normal(l));
+      case Shading::faint:
+        return faintly_shaded(base, normal(l));
+      case Shading::flat:
+        break;
+    }
+    return base;
   }
 
  private:

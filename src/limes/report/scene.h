@@ -9,8 +9,9 @@
 namespace limes {
 
 enum class Shading {
-  flat,  ///< colours as they are: plane fields
-  lit    ///< two soft lights
+  flat,   ///< colours as they are: plane fields
+  faint,  ///< at most 6 % darker where the surface turns away from the eye: fields in space
+  lit     ///< two soft lights: surfaces without a field
 };
 
 /// Triangles of one kind. The colour comes from `values` if there are any, else from

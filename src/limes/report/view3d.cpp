@@ -26,11 +26,13 @@ struct Buffers {
   std::string points, normals, colours, indices;
   std::uint32_t count = 0;
 
-  void add_point(const Vec3& p, Vec3 normal, const Colour& colour) {
+  /// The shader tells the kind of light by the length of the normal: 1, 1/4 or 0.
+  void add_point(const Vec3& p, Vec3 normal, Shading shading, const Colour& colour) {
     normal.normalize();  // zero stays zero
+    const double length = shading == Shading::lit ? 127 : shading == Shading::faint ? 32 : 0;
     for (int i = 0; i < 3; ++i) {
       append(points, static_cast<float>(p[i]));
-      normals += static_cast<char>(std::lround(127 * normal[i]));
+      normals += static_cast<char>(std::lround(length * normal[i]));
     }
     for (const std::uint8_t c : to_bytes(colour))
       colours += static_cast<char>(c);
@@ -70,8 +72,8 @@ Ball ball_around(const Scene& scene) {
 
 /// Points are shared unless each triangle has a colour or a normal of its own.
 void add_surface(const Surface& s, const Ball& ball, Buffers& out) {
-  const bool lit = s.shading == Shading::lit;
-  const bool by_point = s.triangle_colours.empty() && (!lit || !s.normals.empty());
+  const bool flat = s.shading == Shading::flat;
+  const bool by_point = s.triangle_colours.empty() && (flat || !s.normals.empty());
   const auto colour = [&](std::size_t point, std::size_t triangle) {
     if (!s.values.empty()) return s.scale(s.values[point]);
     if (!s.point_colours.empty()) return s.point_colours[point];
@@ -80,7 +82,8 @@ void add_surface(const Surface& s, const Ball& ball, Buffers& out) {
   const std::uint32_t first = out.count;
   if (by_point) {
     for (std::size_t p = 0; p < s.points.size(); ++p)
-      out.add_point(ball.place(s.points[p]), lit ? s.normals[p] : Vec3(0, 0, 0), colour(p, 0));
+      out.add_point(ball.place(s.points[p]), flat ? Vec3(0, 0, 0) : s.normals[p], s.shading,
+                    colour(p, 0));
     for (const auto& triangle : s.triangles)
       for (const int i : triangle)
         append(out.indices, first + static_cast<std::uint32_t>(i));
@@ -91,9 +94,9 @@ void add_surface(const Surface& s, const Ball& ball, Buffers& out) {
     const Vec3 facet =
         (s.points[at(1)] - s.points[at(0)]).cross(s.points[at(2)] - s.points[at(0)]).normalized();
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 normal = !lit ? Vec3(0, 0, 0) : s.normals.empty() ? facet : s.normals[at(i)];
+      const Vec3 normal = s.normals.empty() ? facet : s.normals[at(i)];
       append(out.indices, out.count);
-      out.add_point(ball.place(s.points[at(i)]), normal, colour(at(i), t));
+      out.add_point(ball.place(s.points[at(i)]), normal, s.shading, colour(at(i), t));
     }
   }
 }
@@ -101,7 +104,7 @@ void add_surface(const Surface& s, const Ball& ball, Buffers& out) {
 void add_lines(const Lines& lines, const Ball& ball, Buffers& out) {
   const std::uint32_t first = out.count;
   for (const Vec3& p : lines.points)
-    out.add_point(ball.place(p), Vec3(0, 0, 0), lines.colour);
+    out.add_point(ball.place(p), Vec3(0, 0, 0), Shading::flat, lines.colour);
   for (const auto& segment : lines.segments)
     for (const int i : segment)
       append(out.indices, first + static_cast<std::uint32_t>(i));

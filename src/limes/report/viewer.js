@@ -12,13 +12,15 @@
       n = turn * normal; c = colour;
       gl_Position = vec4(lens.x * p.x, lens.y * p.y, lens.z * p.z + lens.w, -p.z);
     }`;
-  // The same lights as in the still pictures (raster_shader.h); no normal means no light.
+  // The same lights as in the still pictures (raster_shader.h): no normal means none, a short one the
+  // faint shading of fields.
   const fragmentShader = `#version 300 es
     precision highp float;
     in vec3 n; in vec3 c; out vec4 colour;
     void main() {
       if (dot(n, n) < 0.01) { colour = vec4(c, 1.0); return; }
       vec3 m = normalize(n) * (gl_FrontFacing ? 1.0 : -1.0);
+      if (dot(n, n) < 0.09) { colour = vec4(c * (0.94 + 0.06 * max(0.0, m.z)), 1.0); return; }
       float wrapped = max(0.0, 0.25 + 0.75 * dot(m, vec3(-0.466, 0.577, 0.671)));
       float light = 0.22 + 0.62 * wrapped * wrapped + 0.18 * max(0.0, dot(m, vec3(0.883, 0.052, 0.467)))
                   + 0.18 * max(0.0, m.z);
@@ -72,6 +74,25 @@
     return axis === "x" ? [[1, 0, 0], [0, c, -s], [0, s, c]] : [[c, 0, s], [0, 1, 0], [-s, 0, c]];
   }
 
+  // x, y, z in the lower left corner, in the colours of the still pictures (axes_triad.cpp); returns what turns them.
+  function addTriad(view, canvas) {
+    const axis = (name, colour) => `<line stroke="${colour}"/><text fill="${colour}">${name}</text>`;
+    view.insertAdjacentHTML("beforeend", `<svg class="triad" viewBox="-45 -45 90 90">
+      ${axis("x", "#c8452f")}${axis("y", "#2f8a57")}${axis("z", "#1f5fa8")}</svg>`);
+    const svg = view.querySelector(".triad"), lines = svg.querySelectorAll("line"), labels = svg.querySelectorAll("text");
+    return turn => {
+      svg.style.top = `${canvas.offsetTop + canvas.clientHeight - 96}px`;
+      for (let i = 0; i < 3; ++i) {
+        const x = 28 * turn[0][i], y = -28 * turn[1][i], length = Math.hypot(x, y);
+        lines[i].setAttribute("x2", x);
+        lines[i].setAttribute("y2", y);
+        const seen = length > 4, out = 1 + 10 / length;     // along the line of sight: the letter beside the middle
+        labels[i].setAttribute("x", seen ? out * x : 10);
+        labels[i].setAttribute("y", (seen ? out * y : -10) + 4);
+      }
+    };
+  }
+
   function start(view) {
     const canvas = view.querySelector("canvas");
     const gl = canvas.getContext("webgl2", {antialias: true});
@@ -82,10 +103,12 @@
     const slope = Number(view.dataset.slope);           // tangent of half the opening angle
     const home = JSON.parse(view.dataset.axes);
     const edges = view.querySelector("input");
+    const turnTriad = addTriad(view, canvas);
     let axes, distance, pan;
     const reset = () => { axes = home; distance = 1.04 / Math.sin(Math.atan(slope)); pan = [0, 0]; };
 
     const draw = () => {
+      turnTriad(axes);
       const ratio = window.devicePixelRatio || 1;
       canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
       canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));

@@ -165,9 +165,9 @@ std::optional<Drawing> steps_drawing(const AdaptiveRun& run) {
     if (s.true_error) error.points.emplace_back(s.dofs, *s.true_error);
     if (s.finer_error) finer.points.emplace_back(s.dofs, *s.finer_error);
   }
-  const auto shown = [](const Series& s) {
-    return std::any_of(s.points.begin(), s.points.end(),
-                       [](const Vec2& point) { return point.y() > 0; });
+  const auto shown = [](const Series& s) {  // one point is no curve
+    return std::count_if(s.points.begin(), s.points.end(),
+                         [](const Vec2& point) { return point.y() > 0; }) > 1;
   };
   if (!shown(estimate) && !shown(error) && !shown(finer)) return std::nullopt;
   std::vector<Series> series{std::move(estimate)};
@@ -202,11 +202,14 @@ Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
     field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
     field.mesh_lines.width = 0.35;
   }
-  return field_figure(field,
-                      {.title = "Mesh and error of the last step",
-                       .caption = "η is the estimated error of an element; what is less than "
-                                  "a hundredth of the largest has the lowest colour.",
-                       .direction = direction});
+  return field_figure(
+      field, {.title = "Mesh and error of the last step",
+              .caption = fmt::format("η: estimated error of an element in the energy norm, at most "
+                                     "η_{{max}} = {}. Below a hundredth of that: the lowest "
+                                     "colour.",
+                                     format_readable(largest)),
+              .direction = direction,
+              .axes = true});
 }
 
 }  // namespace limes

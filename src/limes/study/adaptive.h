@@ -48,7 +48,7 @@ struct AdaptiveRun {
 [[nodiscard]] std::string end_of(const AdaptiveRun& run);
 /// A line per step.
 [[nodiscard]] Table steps_table(const AdaptiveRun& run);
-/// Error over degrees of freedom, both logarithmic; nothing if all errors are 0.
+/// Error over degrees of freedom, both logarithmic; nothing if fewer than two steps have an error above 0.
 [[nodiscard]] std::optional<Drawing> steps_drawing(const AdaptiveRun& run);
 /// The logarithm of the error of each face, where it lies.
 [[nodiscard]] Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,

@@ -50,7 +50,7 @@ Figure value_figure(const PoissonResult& result) {
 void add_tables(const PoissonResult& result, HtmlReport& report) {
   if (!result.probes.empty()) {
     report.section("Probes");
-    Table table{"Nearest points of the mesh", {"probe", "x", "y", "u", "u_x", "u_y"}, {}};
+    Table table{"Nearest points of the mesh", {"probe", "x", "y", "u", "u_{x}", "u_{y}"}, {}};
     for (const PoissonProbe& p : result.probes)
       table.rows.push_back({p.name, shown(p.state.x.x()), shown(p.state.x.y()),
                             shown(p.state.value), shown(p.state.gradient.x()),

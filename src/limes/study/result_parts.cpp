@@ -1,5 +1,7 @@
 #include "limes/study/result_parts.h"
 
+#include <fmt/format.h>
+
 #include "limes/report/render.h"
 #include "limes/report/ticks.h"
 
@@ -35,8 +37,22 @@ void add_adaptive_section(const AdaptSettings& settings, const AdaptiveRun& run,
   report.section("Adaptive refinement");
   report.paragraph(how_refined(settings) + " " + end_of(run));
   report.table(steps_table(run));
-  if (const auto steps = steps_drawing(run)) add_picture(*steps, "convergence.png", report, files);
+  if (const auto steps = steps_drawing(run))
+    add_picture(*steps, "convergence.png", report, files);
+  else
+    report.paragraph(
+        "There is no diagram of the error over the unknowns: fewer than two steps have an error "
+        "above 0.");
   add_picture(drawing(error_figure(run, mesh, direction)), "adapted-mesh.png", report, files);
+}
+
+std::string stress_unit(const UnitSettings& units) {
+  if (units.force.empty() || units.length.empty()) return {};
+  return fmt::format("{}/{}²", units.force, units.length);
+}
+
+std::string with_unit(const std::string& value, const std::string& unit) {
+  return unit.empty() ? value : value + " " + unit;
 }
 
 std::vector<Check> shown_checks(const std::vector<SolutionCheck>& checks) {

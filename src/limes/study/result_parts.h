@@ -29,11 +29,16 @@ struct ReportFile {
 void add_picture(const Drawing& picture, const std::string& png, HtmlReport& report,
                  std::vector<ReportFile>& files);
 
-/// Steps, convergence diagram and last mesh of an adaptive run.
+/// Steps, convergence diagram (or a sentence that one step has none) and last mesh of an adaptive run.
 /// @param direction  to look along; without it straight onto a plane model
 void add_adaptive_section(const AdaptSettings& settings, const AdaptiveRun& run, const Mesh& mesh,
                           const std::optional<Vec3>& direction, HtmlReport& report,
                           std::vector<ReportFile>& files);
+
+/// Unit of a stress from the user's names, "N/mm²"; empty if one of them is.
+[[nodiscard]] std::string stress_unit(const UnitSettings& units);
+/// "3.5 mm", "3.5" without a unit.
+[[nodiscard]] std::string with_unit(const std::string& value, const std::string& unit);
 
 /// As the report shows them.
 [[nodiscard]] std::vector<Check> shown_checks(const std::vector<SolutionCheck>& checks);

@@ -36,12 +36,6 @@ HalfedgeId edge_at(const Topology& topology, const Element& element, int side) {
   return {};
 }
 
-/// Stress and its unit, from the user's names.
-std::string stress_unit(const UnitSettings& units) {
-  if (units.force.empty() || units.length.empty()) return {};
-  return fmt::format("{}/{}²", units.force, units.length);
-}
-
 /// More faces than this would hide the field under their borders.
 constexpr std::size_t most_faces = 4000;
 

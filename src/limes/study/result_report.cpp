@@ -21,16 +21,6 @@ std::size_t as_size(int count) {
   return static_cast<std::size_t>(count);
 }
 
-std::string with_unit(const std::string& value, const std::string& unit) {
-  return unit.empty() ? value : value + " " + unit;
-}
-
-/// Stress and its unit, from the user's names.
-std::string stress_unit(const UnitSettings& units) {
-  if (units.force.empty() || units.length.empty()) return {};
-  return fmt::format("{}/{}²", units.force, units.length);
-}
-
 void add_summary(const PlaneResult& result, HtmlReport& report) {
   const PlaneModel& model = result.model;
   const Problem& problem = model.problem;
@@ -81,7 +71,7 @@ void add_probes(const PlaneResult& result, HtmlReport& report) {
   if (result.probes.empty()) return;
   report.section("Probes");
   Table table{"Nearest points of the surface",
-              {"probe", "x", "y", "u_x", "u_y", "σ_{xx}", "σ_{yy}", "σ_{xy}", "von Mises"},
+              {"probe", "x", "y", "u_{x}", "u_{y}", "σ_{xx}", "σ_{yy}", "σ_{xy}", "von Mises"},
               {}};
   for (const ProbeResult& p : result.probes) {
     const PlaneState& s = p.state;
@@ -95,7 +85,7 @@ void add_probes(const PlaneResult& result, HtmlReport& report) {
 void add_reactions(const PlaneResult& result, HtmlReport& report) {
   if (result.solution.homogenised) return;
   report.section("Loads and reactions");
-  Table table{"Resultants about the origin", {"", "F_x", "F_y", "M_z"}, {}};
+  Table table{"Resultants about the origin", {"", "F_{x}", "F_{y}", "M_{z}"}, {}};
   const auto add = [&](const std::string& name, const PlaneResultant& r) {
     table.rows.push_back({name, shown(r(0)), shown(r(1)), shown(r(2))});
   };

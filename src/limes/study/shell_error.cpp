@@ -1,11 +1,11 @@
 #include "limes/study/shell_error.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "limes/adapt/recovery.h"
 #include "limes/core/parallel.h"
 #include "limes/fem/resultant_norm.h"
+#include "limes/study/shell_pieces.h"
 #include "limes/study/shell_residual.h"
 
 namespace limes {
@@ -35,19 +35,6 @@ ShellResultants in_space(const PlaneResultants& p, const Axes& axes, const Vec3&
   n << p(0), p(2), p(2), p(1);
   m << p(3), p(5), p(5), p(4);
   return {axes * n * axes.transpose(), axes * m * axes.transpose(), axes * p.tail<2>(), normal};
-}
-
-/// Whether the faces on both sides of an inner edge are one smooth piece of one material.
-bool is_smooth_across(const ShellModel& model, HalfedgeId h) {
-  const Adjacency& adjacency = *model.adjacency;
-  const HalfedgeId twin = adjacency.twin(h);
-  const double cosine = std::cos(model.problem.model.kink_angle * std::numbers::pi / 180);
-  const auto material = [&](HalfedgeId side) {
-    return model.material_of_face[static_cast<std::size_t>(adjacency.face(side).value)];
-  };
-  return material(h) == material(twin) &&
-         model.director[h].dot(model.director[adjacency.next(twin)]) >= cosine &&
-         model.director[adjacency.next(h)].dot(model.director[twin]) >= cosine;
 }
 
 ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,

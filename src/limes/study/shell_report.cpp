@@ -4,18 +4,19 @@
 
 #include "limes/core/text.h"
 #include "limes/report/html.h"
-#include "limes/report/pictures.h"
 #include "limes/report/ticks.h"
 #include "limes/solve/linear.h"
-#include "limes/study/shell_result.h"
+#include "limes/study/shell_pictures.h"
 
 namespace limes {
 namespace {
 
-const Vec3 view_direction(-1, -1.5, -1);
-
 std::string shown(double value) {
   return format_readable(value, 6);
+}
+
+std::string in_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : text + ", in " + unit;
 }
 
 std::vector<std::string> row(const std::string& name, const Vec3& a, const Vec3& b) {
@@ -41,37 +42,39 @@ void add_summary(const ShellResult& result, HtmlReport& report) {
        {"Strain energy", shown(result.solution.strain_energy)}});
 }
 
-/// The length of the displacement on the shell, half of each quad as a triangle.
-Figure displacement_figure(const ShellResult& result) {
-  const Mesh& mesh = *result.model.mesh;
-  FieldPicture field;
-  field.points = mesh.points.vector();
-  for (int v = 0; v < mesh.points.size(); ++v)
-    field.values.push_back(result.solution.u.segment<3>(6 * v).norm());
-  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
-    const auto c = mesh.topology.face(FaceId(f));
-    for (std::size_t k = 2; k < c.size(); ++k)
-      field.triangles.push_back({c[0].value, c[k - 1].value, c[k].value});
+void add_probes(const ShellResult& result, HtmlReport& report) {
+  if (result.probes.empty()) return;
+  const UnitSettings& units = result.model.problem.units;
+  report.section("Probes");
+  report.paragraph(
+      "What the nearest points of the elements do. Vectors have components along the axes x, y, z "
+      "of the "
+      "model; rotations are those of one small turn about these axes, by the right-hand rule, in "
+      "radians.");
+  Table places{in_unit("Points and displacements", units.length),
+               {"probe", "x", "y", "z", "u_{x}", "u_{y}", "u_{z}"},
+               {}};
+  Table turns{"Rotations, in radians", {"probe", "θ_{x}", "θ_{y}", "θ_{z}"}, {}};
+  Table stresses{in_unit("Von Mises stresses at the centre of the element", stress_unit(units)),
+                 {"probe", "element", "top", "middle", "bottom"},
+                 {}};
+  for (const ShellProbe& p : result.probes) {
+    places.rows.push_back(row(p.name, p.point, p.displacement));
+    turns.rows.push_back(
+        {p.name, shown(p.rotation.x()), shown(p.rotation.y()), shown(p.rotation.z())});
+    stresses.rows.push_back({p.name, std::to_string(p.face.value), shown(p.state.von_mises.top),
+                             shown(p.state.von_mises.middle), shown(p.state.von_mises.bottom)});
   }
-  field.quantity = "|u|";
-  field.unit = result.model.problem.units.length;
-  field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
-  if (result.adaptive)
-    field.mesh_lines.width = 0.35;  // where it is fine, lines would cover the colours
-  return field_figure(field, {.title = "Length of the displacement", .direction = view_direction});
+  for (const Table& table : {places, turns, stresses})
+    report.table(table);
 }
 
 void add_tables(const ShellResult& result, HtmlReport& report) {
-  if (!result.probes.empty()) {
-    report.section("Probes");
-    Table table{
-        "Nearest points of the elements", {"probe", "x", "y", "z", "u_x", "u_y", "u_z"}, {}};
-    for (const ShellProbe& p : result.probes)
-      table.rows.push_back(row(p.name, p.point, p.displacement));
-    report.table(table);
-  }
+  add_probes(result, report);
   report.section("Loads and reactions");
-  Table table{"Resultants about the origin", {"", "F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}, {}};
+  Table table{"Resultants about the origin",
+              {"", "F_{x}", "F_{y}", "F_{z}", "M_{x}", "M_{y}", "M_{z}"},
+              {}};
   const ShellSolution& s = result.solution;
   table.rows.push_back(row("all loads", s.loads.force, s.loads.moment));
   for (const ShellSolution::Reaction& r : s.reactions)
@@ -90,10 +93,21 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
                     problem.file.filename().string());
   add_summary(result, report);
   report.section("Displacement");
-  add_picture(drawing(displacement_figure(result)), "displacement.png", report, files);
+  const ShellPictures pictures(result);
+  add_picture(drawing(pictures.displacement()), "displacement.png", report, files);
+  report.section("Stress");
+  report.paragraph(
+      "Von Mises stress of membrane and bending forces, one value per element, at its centre: "
+      "nothing is "
+      "averaged between elements. Both pictures have the same scale.");
+  add_picture(drawing(pictures.von_mises(ShellSide::top)), "von-mises-top.png", report, files);
+  add_picture(drawing(pictures.von_mises(ShellSide::bottom)), "von-mises-bottom.png", report,
+              files);
+  if (const auto view = pictures.view())
+    report.view(*view, "The stress at the top, in the colours of the pictures above, to turn.");
   if (result.adaptive)
     add_adaptive_section(*result.model.problem.adapt, *result.adaptive, *result.model.mesh,
-                         view_direction, report, files);
+                         shell_view_direction(), report, files);
   add_tables(result, report);
   report.raw_data("result.json, without timings", result_json(result, false).dump(2));
   report.footer(result.made_by);

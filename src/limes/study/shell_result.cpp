@@ -20,6 +20,20 @@ std::array<double, 6> components(const Mat3& m) {
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)};
 }
 
+/// Names of the user's units where they are given, and what is always so.
+Json units_json(const UnitSettings& units) {
+  Json out = Json::object();
+  if (!units.length.empty()) out["length"] = units.length;
+  if (!units.force.empty()) out["force"] = units.force;
+  out["rotation"] = "rad";
+  out["axes"] = "x, y, z of the model; rotations and moments by the right-hand rule";
+  return out;
+}
+
+Json layers(const LayerStress& s) {
+  return {{"top", s.top}, {"middle", s.middle}, {"bottom", s.bottom}};
+}
+
 Json probes_json(const ShellResult& result) {
   Json out = Json::object();
   for (const ShellProbe& p : result.probes)
@@ -28,9 +42,11 @@ Json probes_json(const ShellResult& result) {
                    {"distance", p.distance},
                    {"displacement", list(p.displacement)},
                    {"rotation", list(p.rotation)},
-                   {"membrane", components(p.resultants.membrane)},
-                   {"bending", components(p.resultants.bending)},
-                   {"shear", list(p.resultants.shear)}};
+                   {"membrane", components(p.state.resultants.membrane)},
+                   {"bending", components(p.state.resultants.bending)},
+                   {"shear", list(p.state.resultants.shear)},
+                   {"element", p.face.value},
+                   {"von_mises", layers(p.state.von_mises)}};
   return out;
 }
 
@@ -39,15 +55,15 @@ struct CellFields {
   std::vector<double> membrane, bending, shear, top, middle, bottom;
   std::vector<std::int64_t> material;
 
-  void add(const ShellResultants& r, double thickness) {
-    for (const double x : components(r.membrane))
+  void add(const ShellState& state) {
+    for (const double x : components(state.resultants.membrane))
       membrane.push_back(x);
-    for (const double x : components(r.bending))
+    for (const double x : components(state.resultants.bending))
       bending.push_back(x);
-    shear.insert(shear.end(), r.shear.begin(), r.shear.end());
-    top.push_back(shell_von_mises(r, thickness, thickness / 2));
-    middle.push_back(shell_von_mises(r, thickness, 0));
-    bottom.push_back(shell_von_mises(r, thickness, -thickness / 2));
+    shear.insert(shear.end(), state.resultants.shear.begin(), state.resultants.shear.end());
+    top.push_back(state.von_mises.top);
+    middle.push_back(state.von_mises.middle);
+    bottom.push_back(state.von_mises.bottom);
   }
 };
 
@@ -66,6 +82,7 @@ nlohmann::ordered_json result_json(const ShellResult& result, bool with_timings)
   out["elements"] = model.mesh->topology.num_faces();
   out["kink_nodes"] = solution.num_kink_nodes;
   out["strain_energy"] = solution.strain_energy;
+  out["units"] = units_json(model.problem.units);
   out["probes"] = probes_json(result);
   out["loads"] = {{"force", list(solution.loads.force)}, {"moment", list(solution.loads.moment)}};
   out["reactions"] = Json::array();
@@ -99,10 +116,7 @@ void write_result_vtu(const ByteSink& sink, const ShellResult& result) {
     for (const VertexId v : t.face(FaceId(f)))
       ids.push_back(v.value);
     grid.add_cell(ids.size() == 4 ? VtkCell::quad : VtkCell::polygon, ids);
-    const ShellSection section = model.section(FaceId(f));
-    cells.add(mitc4_resultants(model.quad(FaceId(f)), section,
-                               model.unknowns(FaceId(f), result.solution.u), Vec2::Zero()),
-              section.thickness);
+    cells.add(state_at_centre(model, result.solution, FaceId(f)));
     cells.material.push_back(model.material_of_face[static_cast<std::size_t>(f)]);
   }
   grid.point_data = {{"displacement", 3, std::move(displacement)},

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "limes/study/result_files.h"
-#include "limes/study/shell_solution.h"
+#include "limes/study/shell_probe.h"
 
 namespace limes {
 

@@ -40,16 +40,4 @@ struct ShellSolution {
 [[nodiscard]] std::vector<SolutionCheck> check_solution(const ShellModel& model,
                                                         const ShellSolution& solution);
 
-/// What a probe finds at the nearest point of the bilinear elements.
-struct ShellProbe {
-  std::string name;
-  Vec3 at;  ///< asked for
-  Vec3 point;
-  double distance;
-  FaceId face;
-  Vec3 displacement, rotation;
-  ShellResultants resultants;  ///< at the centre of that element
-};
-[[nodiscard]] std::vector<ShellProbe> probe(const ShellModel& model, const ShellSolution& solution);
-
 }  // namespace limes

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "limes/study/shell_layers.h"
+
+namespace limes {
+
+/// What a probe finds at the nearest point of the bilinear elements.
+struct ShellProbe {
+  std::string name;
+  Vec3 at;  ///< asked for
+  Vec3 point;
+  double distance;
+  FaceId face;
+  Vec3 displacement;
+  Vec3
+      rotation;  ///< vector about the global axes, in radians; none about the director of a smooth node
+  ShellState state;  ///< at the centre of that element
+};
+[[nodiscard]] std::vector<ShellProbe> probe(const ShellModel& model, const ShellSolution& solution);
+
+}  // namespace limes
