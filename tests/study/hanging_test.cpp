@@ -18,14 +18,18 @@
 #include <random>
 
 #include "convergence/plane_meshes.h"
+#include "limes/adapt/finer.h"
 #include "limes/core/error.h"
 #include "limes/study/poisson_conditions.h"
 #include "limes/study/run.h"
 #include "limes/study/shell_error.h"
 #include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
+#include "limes/study/shell_placement.h"
 #include "limes/study/shell_residual.h"
+#include "limes/study/shell_smoothing.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/split_leaves.h"
 
 namespace limes {
 namespace {
@@ -116,10 +120,7 @@ ShellSolution solved(const ShellModel& model) {
   return solution;
 }
 
-// Stretch along x by a stress of 5 on the whole plate, which is held in its plane everywhere, at hanging nodes
-// too.
-TEST_P(EverySeed, ConstantMembraneStrain) {
-  const ShellModel model = plate_on(random_mesh(flat_patch(), GetParam()), R"(
+const std::string stretched = R"(
 [[support]]
 where = "all"
 fix = ["uz", "rx", "ry"]
@@ -132,7 +133,9 @@ fix = ["uy"]
 [[load]]
 where = "x == 3"
 force_per_length = [1, 0, 0]
-)");
+)";
+
+void expect_stretch(const ShellModel& model) {
   const ShellSolution solution = solved(model);
   constexpr double strain = 1 / (1000 * 0.2);
   for (int v = 0; v < model.mesh->points.size(); ++v) {
@@ -143,6 +146,48 @@ force_per_length = [1, 0, 0]
   EXPECT_NEAR(solution.strain_energy, 9 * strain / 2, 1e-12);
   EXPECT_LT(total(estimate_error(model, solution)), 1e-11);
   EXPECT_LT(total(residual_estimate(model, solution)), 1e-11);
+}
+
+// Stretch along x by a stress of 5 on the whole plate, which is held in its plane everywhere, at hanging nodes
+// too.
+TEST_P(EverySeed, ConstantMembraneStrain) {
+  expect_stretch(plate_on(random_mesh(flat_patch(), GetParam()), stretched));
+}
+
+// The same after smoothing, and on the mesh with every face of that split: nodes hang in the middles of their
+// sides. Vertices where a selection ends have not moved.
+TEST_P(EverySeed, ConstantMembraneStrainOfSmoothedMeshes) {
+  const Problem problem = parse_problem(
+      plate + stretched +
+          "[[load]]\nwhere = \"x < 1.3\"\nforce_per_area = [0, 0, 1e-9]\n"
+          "[geometry]\nkind = \"plane\"\naxis = [0, 0, 1]\n",
+      "p.toml", std::vector<std::string>{"mesh.placement=\"exact\"", "mesh.smoothing=20"});
+  ShellForest shell = shell_forest(problem, flat_patch());
+  split_here_and_there(shell.forest, 4, GetParam());
+  const ForestMesh mesh = forest_mesh(shell.forest, Closure::hanging);
+  ForestMesh smoothed = mesh;
+  smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, {}, smoothed);
+  EXPECT_LT(worst_distortion(smoothed.mesh), worst_distortion(mesh.mesh));
+  for (const HangingVertex& h : mesh.hanging)
+    EXPECT_LT((2 * smoothed.mesh.points[h.vertex] - smoothed.mesh.points[h.ends[0]] -
+               smoothed.mesh.points[h.ends[1]])
+                  .norm(),
+              1e-14);
+  Mesh closed = mesh.mesh;
+  closed.topology = hanging_faces(mesh.mesh.topology, mesh.hanging).topology;
+  const IdArray<VertexId, char> held = held_by_selections(problem, closed);
+  int moved = 0;
+  for (int v = 0; v < held.size(); ++v) {
+    const double d = (smoothed.mesh.points[VertexId(v)] - mesh.mesh.points[VertexId(v)]).norm();
+    if (held[VertexId(v)]) {
+      EXPECT_LT(d, 1e-14) << v;
+    }
+    moved += d > 1e-3;
+  }
+  EXPECT_GT(moved, held.size() / 4);
+  const ShellModel model = shell_model_on(problem, smoothed.mesh, {}, mesh.hanging);
+  expect_stretch(model);
+  expect_stretch(finer_model(model, shell, {}, mesh, 1));
 }
 
 /// Moments at the vertices of two opposite sides that bend the plate by one moment per length.
@@ -324,6 +369,42 @@ TEST_P(EverySeed, LinearSolutionsOfPoissonsEquation) {
     EXPECT_NEAR(solution.strain_energy, 0.5 * 3 * 10 * 9, 1e-11);
     EXPECT_LT(std::abs(solution.imbalance), 1e-11 * solution.reaction_size);
     EXPECT_LT(total(estimate_error(model, solution)), 1e-11) << estimator;
+  }
+}
+
+// The space is part of that of the forest with all leaves split, so by Galerkin's orthogonality the square of
+// the difference is twice that of the energies.
+TEST_P(EverySeed, ErrorAgainstAFinerSolutionIsThatOfTheEnergies) {
+  const Mesh control =
+      testing::grid(3, 2, [](const Vec2& p) { return Vec2(3 * p.x() + p.y(), 2 * p.y()); });
+  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  split_here_and_there(forest, 3, GetParam());
+  const auto model_on = [](Forest& leaves) {
+    const ForestMesh mesh = forest_mesh(leaves, Closure::hanging);
+    EXPECT_GT(mesh.hanging.size(), 10U);
+    return plane_on(mesh, R"([model]
+kind = "poisson"
+[material]
+[[support]]
+where = "boundary"
+value = 0
+[[load]]
+where = "all"
+source = 1
+)");
+  };
+  const PlaneModel model = model_on(forest);
+  const PoissonSolution solution = solve_poisson(model);
+  for (const int levels : {1, 2}) {
+    Forest split = split_leaves(forest, levels);
+    ASSERT_EQ(split.leaves().size(), forest.leaves().size() << (2 * levels));
+    const PlaneModel finer = model_on(split);
+    const PoissonSolution reference = solve_poisson(finer);
+    const std::vector<double> squares =
+        error_against(*finer.space, energy_density(finer, reference), levels, *model.space,
+                      energy_density(model, solution));
+    const double difference = reference.strain_energy - solution.strain_energy;
+    EXPECT_NEAR(std::accumulate(squares.begin(), squares.end(), 0.0) / (2 * difference), 1, 1e-9);
   }
 }
 

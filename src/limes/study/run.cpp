@@ -64,7 +64,11 @@ void require_kept_faces(const Problem& problem, const Tags& tags) {
 ForestMesh split_mesh(const Problem& problem, const Forest& forest, const ForestMesh& mesh,
                       const Scheme& scheme) {
   const int levels = problem.adapt->reference_levels;
-  if (mesh.hanging.empty()) return {.mesh = refine(mesh.mesh, scheme, {.levels = levels})};
+  if (mesh.hanging.empty()) {
+    ForestMesh out;
+    out.mesh = refine(mesh.mesh, scheme, {.levels = levels});
+    return out;
+  }
   Forest split = split_leaves(forest, levels);
   return forest_mesh(split, Closure::hanging);
 }

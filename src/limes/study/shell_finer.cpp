@@ -55,7 +55,7 @@ ShellResultants state(const ShellModel& model, const ShellSolution& solution, Fa
 
 ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
                        const std::vector<TiedEdge>& tied, const ForestMesh& mesh, int levels) {
-  if (!mesh.hanging.empty()) return finer_hanging_model(model.problem, shell, levels);
+  if (!mesh.hanging.empty()) return finer_hanging_model(model, shell, mesh, levels);
   return shell_model_on(model.problem, split_mesh(model, shell, tied, mesh, levels),
                         refined_seams(*model.mesh, tied, levels));
 }
