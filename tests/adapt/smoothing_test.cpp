@@ -219,7 +219,7 @@ TEST(Smoothing, HangingVerticesFollowTheirSides) {
     const Mesh even = mesh;
     for (int v = 0; v < mesh.points.size(); ++v)
       if (free[VertexId(v)])
-        mesh.points[VertexId(v)] += 0.3 * Vec3(noise(random), noise(random), 0);
+        mesh.points[VertexId(v)] += 0.15 * Vec3(noise(random), noise(random), 0);
     put_middles(mesh);
     const double before = sum_of_corners(mesh, areas);
     ASSERT_TRUE(std::isfinite(before));
