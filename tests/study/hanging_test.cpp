@@ -575,23 +575,71 @@ TEST(HangingAdaptive, EveryReportIsWritten) {
       has_mesh(names_of(run_shell_problem(problem_file("hole_5.toml", {"adapt.max_dofs=1000"})))));
 }
 
-TEST(HangingAdaptive, HolesAreRefused) {
+// Faces tagged as holes are as if they were not there, split or beside split ones; leaves are marked by
+// estimates, so these agree as well.
+TEST(HangingAdaptive, HolesAreNotThere) {
   const std::filesystem::path folder =
       std::filesystem::path(::testing::TempDir()) / "limes_hanging";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "m.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
-                                     "f 1 2 5 4\nf 2 3 6 5\nt hole 1/0/0 1\n";
-  try {
-    (void)run_poisson_problem(parse_problem("[mesh]\nfile = \"m.obj\"\nscheme = \"linear\"\n" +
-                                                linear_value + "[adapt]\nclosure = \"hanging\"\n",
-                                            folder / "p.toml"));
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("p.toml:11: [adapt] closure = \"hanging\" knows no hole "
-                        "faces, and face 1 of"),
-              std::string::npos)
-        << error.what();
+  std::string vertices, faces, others;
+  std::vector<int> holes;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i)
+      vertices += fmt::format("v {} {} 0\n", i, j);
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int v = 5 * j + i + 1;
+      const std::string face = fmt::format("f {} {} {} {}\n", v, v + 1, v + 6, v + 5);
+      faces += face;
+      if ((i == 1 && j > 0 && j < 3) || (i == 3 && j == 0))
+        holes.push_back(4 * j + i);
+      else
+        others += face;
+    }
+  std::string tags;
+  for (const int f : holes)
+    tags += fmt::format("t hole 1/0/0 {}\n", f);
+  std::ofstream(folder / "tagged.obj") << vertices << faces << tags;
+  std::ofstream(folder / "without.obj") << vertices << others;
+  for (const char* estimator : {"zienkiewicz-zhu", "residual"}) {
+    const auto steps_on = [&](const char* mesh) {
+      return run_problem(parse_problem(fmt::format(R"([mesh]
+file = "{}.obj"
+scheme = "linear"
+[model]
+kind = "plane-stress"
+[material]
+young = 10
+poisson = 0.25
+thickness = 0.5
+[[support]]
+where = "x == 0"
+fix = ["ux", "uy"]
+[[load]]
+where = "x == 4"
+force_per_length = [1, -2]
+[[load]]
+where = "x == 1 and y >= 1 and y <= 3"
+pressure = 3
+[adapt]
+closure = "hanging"
+estimator = "{}"
+max_dofs = 700
+reference_levels = 1
+)",
+                                                   mesh, estimator),
+                                       folder / "p.toml"))
+          .adaptive->history.steps;
+    };
+    const auto tagged = steps_on("tagged"), without = steps_on("without");
+    ASSERT_EQ(tagged.size(), without.size()) << estimator;
+    ASSERT_GT(tagged.size(), 3U);
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+      EXPECT_EQ(tagged[i].dofs, without[i].dofs);
+      EXPECT_NEAR(tagged[i].strain_energy / without[i].strain_energy, 1, 1e-9);
+      EXPECT_NEAR(tagged[i].error_estimate / without[i].error_estimate, 1, 1e-9);
+      EXPECT_NEAR(*tagged[i].finer_error / *without[i].finer_error, 1, 1e-9);
+    }
   }
 }
 

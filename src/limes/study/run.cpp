@@ -60,16 +60,6 @@ void require_kept_faces(const Problem& problem, const Tags& tags) {
         problem.file.string(), problem.adapt->line, mesh_path(problem).string());
 }
 
-void require_no_holes(const Problem& problem, const Tags& tags) {
-  if (problem.adapt->closure == Closure::hanging && !tags.holes.empty())
-    throw InputError(
-        "{}:{}: [adapt] closure = \"hanging\" knows no hole faces, and face {} of {} is one; right "
-        "is "
-        "\"conforming\", or a mesh without them",
-        problem.file.string(), problem.adapt->line, tags.holes.front().value,
-        mesh_path(problem).string());
-}
-
 /// The mesh of a step with every face split as often as reference_levels says, and what hangs there.
 ForestMesh split_mesh(const Problem& problem, const Forest& forest, const ForestMesh& mesh,
                       const Scheme& scheme) {
@@ -92,7 +82,6 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
   require_kept_faces(problem, file.mesh.tags);
-  require_no_holes(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   Forest forest =
       plane_forest(problem, refine(file.mesh, scheme, {.levels = problem.mesh.levels}), scheme);
