@@ -10,6 +10,8 @@
 
 #include "convergence/plane_meshes.h"
 #include "limes/mesh/seams.h"
+#include "limes/subdiv/forest_mesh.h"
+#include "limes/subdiv/schemes.h"
 
 namespace limes {
 namespace {
@@ -164,6 +166,84 @@ TEST(Smoothing, NoCornerTurnsOver) {
   const Vec3 x = folded.points[VertexId(3 * (n + 1) + 3)];
   improve_shapes(folded, equal, untied(folded), sliding, 3);
   EXPECT_EQ(folded.points[VertexId(3 * (n + 1) + 3)], x);
+}
+
+/// What is made less, over all corners.
+double sum_of_corners(const Mesh& mesh, const std::vector<double>& areas) {
+  double sum = 0;
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    const auto corner = mesh.topology.face(FaceId(f));
+    const auto at = [&](std::size_t k) { return mesh.points[corner[k % 4]]; };
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 a = at(i + 1) - at(i), b = at(i + 3) - at(i);
+      const double size = (a.squaredNorm() + b.squaredNorm()) / areas[static_cast<std::size_t>(f)];
+      sum += corner_distortion(a, b, Vec3::UnitZ()) * size * size;
+    }
+  }
+  return sum;
+}
+
+// Vertices that hang are the middles of their sides, before and after, and no other place of the free ones near
+// theirs has a smaller sum.
+TEST(Smoothing, HangingVerticesFollowTheirSides) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> noise(-0.2, 0.2);
+    Forest forest(grid([](int i, int j) { return Vec3(i, j, 0); }), find_scheme("linear"), {},
+                  SplitUnit::faces);
+    for (int time = 0; time < 3; ++time) {
+      std::vector<FaceId> marked;
+      for (const FaceId leaf : forest.leaves())
+        if (random() % 5 == 0) marked.push_back(leaf);
+      forest.refine(marked);
+    }
+    ForestMesh made = forest_mesh(forest, Closure::hanging);
+    Mesh& mesh = made.mesh;
+    ASSERT_GT(made.hanging.size(), 50U);
+    IdArray<VertexId, char> hangs(static_cast<std::size_t>(mesh.points.size()), 0);
+    for (const HangingVertex& h : made.hanging)
+      hangs[h.vertex] = 1;
+    const auto put_middles = [&](Mesh& m) {
+      for (const HangingVertex& h : made.hanging)
+        m.points[h.vertex] = (m.points[h.ends[0]] + m.points[h.ends[1]]) / 2;
+    };
+    std::vector<double> areas;
+    for (const FaceId leaf : made.leaves)
+      areas.push_back(std::ldexp(1.0, -2 * forest.ancestry(leaf).level));
+    const auto inner = [](const Vec3& x) {
+      return x.x() > 0 && x.x() < n && x.y() > 0 && x.y() < n;
+    };
+    IdArray<VertexId, char> free(static_cast<std::size_t>(mesh.points.size()), 0);
+    for (int v = 0; v < mesh.points.size(); ++v)
+      free[VertexId(v)] = inner(mesh.points[VertexId(v)]) && !hangs[VertexId(v)];
+    const Mesh even = mesh;
+    for (int v = 0; v < mesh.points.size(); ++v)
+      if (free[VertexId(v)])
+        mesh.points[VertexId(v)] += 0.15 * Vec3(noise(random), noise(random), 0);
+    put_middles(mesh);
+    const double before = sum_of_corners(mesh, areas);
+    ASSERT_TRUE(std::isfinite(before));
+    const Sliding sliding{[&](VertexId v, const Vec3&) {
+                            return Directions(Mat3::Identity().leftCols(free[v] ? 2 : 0));
+                          },
+                          [](VertexId, const Vec3& x) { return x; }};
+    for (int round = 0; round < 20; ++round)
+      improve_shapes(mesh, areas, untied(mesh), sliding, 100, made.hanging);
+    Mesh middles = mesh;
+    put_middles(middles);
+    EXPECT_EQ(middles.points.vector(), mesh.points.vector());
+    const double after = sum_of_corners(mesh, areas);
+    EXPECT_LT(after, before);
+    EXPECT_LT(after, sum_of_corners(even, areas));
+    for (int v = 0; v < mesh.points.size(); ++v)
+      for (const Vec3& d : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
+        if (!free[VertexId(v)]) continue;
+        Mesh moved = mesh;
+        moved.points[VertexId(v)] += 0.01 * d;
+        put_middles(moved);
+        EXPECT_GT(sum_of_corners(moved, areas), after) << v;
+      }
+  }
 }
 
 }  // namespace

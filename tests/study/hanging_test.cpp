@@ -18,12 +18,18 @@
 #include <random>
 
 #include "convergence/plane_meshes.h"
+#include "limes/adapt/finer.h"
 #include "limes/core/error.h"
 #include "limes/study/poisson_conditions.h"
 #include "limes/study/run.h"
 #include "limes/study/shell_error.h"
+#include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
+#include "limes/study/shell_placement.h"
+#include "limes/study/shell_residual.h"
+#include "limes/study/shell_smoothing.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/split_leaves.h"
 
 namespace limes {
 namespace {
@@ -114,10 +120,7 @@ ShellSolution solved(const ShellModel& model) {
   return solution;
 }
 
-// Stretch along x by a stress of 5 on the whole plate, which is held in its plane everywhere, at hanging nodes
-// too.
-TEST_P(EverySeed, ConstantMembraneStrain) {
-  const ShellModel model = plate_on(random_mesh(flat_patch(), GetParam()), R"(
+const std::string stretched = R"(
 [[support]]
 where = "all"
 fix = ["uz", "rx", "ry"]
@@ -130,7 +133,9 @@ fix = ["uy"]
 [[load]]
 where = "x == 3"
 force_per_length = [1, 0, 0]
-)");
+)";
+
+void expect_stretch(const ShellModel& model) {
   const ShellSolution solution = solved(model);
   constexpr double strain = 1 / (1000 * 0.2);
   for (int v = 0; v < model.mesh->points.size(); ++v) {
@@ -140,6 +145,49 @@ force_per_length = [1, 0, 0]
   }
   EXPECT_NEAR(solution.strain_energy, 9 * strain / 2, 1e-12);
   EXPECT_LT(total(estimate_error(model, solution)), 1e-11);
+  EXPECT_LT(total(residual_estimate(model, solution)), 1e-11);
+}
+
+// Stretch along x by a stress of 5 on the whole plate, which is held in its plane everywhere, at hanging nodes
+// too.
+TEST_P(EverySeed, ConstantMembraneStrain) {
+  expect_stretch(plate_on(random_mesh(flat_patch(), GetParam()), stretched));
+}
+
+// The same after smoothing, and on the mesh with every face of that split: nodes hang in the middles of their
+// sides. Vertices where a selection ends have not moved.
+TEST_P(EverySeed, ConstantMembraneStrainOfSmoothedMeshes) {
+  const Problem problem = parse_problem(
+      plate + stretched +
+          "[[load]]\nwhere = \"x < 1.3\"\nforce_per_area = [0, 0, 1e-9]\n"
+          "[geometry]\nkind = \"plane\"\naxis = [0, 0, 1]\n",
+      "p.toml", std::vector<std::string>{"mesh.placement=\"exact\"", "mesh.smoothing=20"});
+  ShellForest shell = shell_forest(problem, flat_patch());
+  split_here_and_there(shell.forest, 4, GetParam());
+  const ForestMesh mesh = forest_mesh(shell.forest, Closure::hanging);
+  ForestMesh smoothed = mesh;
+  smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, {}, smoothed);
+  EXPECT_TRUE(std::isfinite(worst_distortion(smoothed.mesh)));
+  for (const HangingVertex& h : mesh.hanging)
+    EXPECT_LT((2 * smoothed.mesh.points[h.vertex] - smoothed.mesh.points[h.ends[0]] -
+               smoothed.mesh.points[h.ends[1]])
+                  .norm(),
+              1e-14);
+  Mesh closed = mesh.mesh;
+  closed.topology = hanging_faces(mesh.mesh.topology, mesh.hanging).topology;
+  const IdArray<VertexId, char> held = held_by_selections(problem, closed);
+  int moved = 0;
+  for (int v = 0; v < held.size(); ++v) {
+    const double d = (smoothed.mesh.points[VertexId(v)] - mesh.mesh.points[VertexId(v)]).norm();
+    if (held[VertexId(v)]) {
+      EXPECT_LT(d, 1e-14) << v;
+    }
+    moved += d > 1e-3;
+  }
+  EXPECT_GT(moved, held.size() / 4);
+  const ShellModel model = shell_model_on(problem, smoothed.mesh, {}, mesh.hanging);
+  expect_stretch(model);
+  expect_stretch(finer_model(model, shell, {}, mesh, 1));
 }
 
 /// Moments at the vertices of two opposite sides that bend the plate by one moment per length.
@@ -186,6 +234,36 @@ fix = ["uy"]
   }
   EXPECT_NEAR(solution.strain_energy, 9 * (mx * a + my * b) / 2, 1e-11);
   EXPECT_LT(total(estimate_error(model, solution)), 1e-9);
+}
+
+// No residuals of a state that all elements have exactly, with constant strain and curvature, where the border
+// is held; also if nodes lie on circles, so that hanging ones are beside the chords of the sides they are in.
+TEST_P(EverySeed, ResidualsOfConstantStrainAndCurvature) {
+  for (const bool bent : {false, true}) {
+    ForestMesh forest = random_mesh(
+        bent ? testing::grid(3, 3, [](const Vec2& p) { return Vec2(3 * p); }) : flat_patch(),
+        GetParam());
+    for (int v = 0; bent && v < forest.mesh.points.size(); ++v) {
+      const Vec3 x = forest.mesh.points[VertexId(v)];
+      forest.mesh.points[VertexId(v)] =
+          (2 + x.y()) * Vec3(-std::sin(x.x() / 4), std::cos(x.x() / 4), 0);
+    }
+    const ShellModel model = plate_on(forest, R"(
+[[support]]
+where = "boundary"
+fix = ["ux", "uy", "uz", "rx", "ry"]
+)");
+    ShellSolution solution;
+    solution.u = VectorX::Zero(model.num_unknowns());
+    for (int v = 0; v < model.mesh->points.size(); ++v) {  // w = x^2 + 3 x y - 2 y^2
+      const Vec3& x = model.mesh->points[VertexId(v)];
+      solution.u.segment<6>(6 * v) << 2 * x.x() - x.y(), x.x() + 3 * x.y(),
+          x.x() * x.x() + 3 * x.x() * x.y() - 2 * x.y() * x.y(), 3 * x.x() - 4 * x.y(),
+          -2 * x.x() - 3 * x.y(), 0;
+    }
+    const double norm = std::sqrt(solution.u.dot(shell_matrix(model) * solution.u));
+    EXPECT_LT(total(residual_estimate(model, solution)), 1e-10 * norm) << bent;
+  }
 }
 
 // Loads at hanging nodes, supports along a line that has some, and as many reactions as loads.
@@ -293,6 +371,42 @@ TEST_P(EverySeed, LinearSolutionsOfPoissonsEquation) {
     EXPECT_NEAR(solution.strain_energy, 0.5 * 3 * 10 * 9, 1e-11);
     EXPECT_LT(std::abs(solution.imbalance), 1e-11 * solution.reaction_size);
     EXPECT_LT(total(estimate_error(model, solution)), 1e-11) << estimator;
+  }
+}
+
+// The space is part of that of the forest with all leaves split, so by Galerkin's orthogonality the square of
+// the difference is twice that of the energies.
+TEST_P(EverySeed, ErrorAgainstAFinerSolutionIsThatOfTheEnergies) {
+  const Mesh control =
+      testing::grid(3, 2, [](const Vec2& p) { return Vec2(3 * p.x() + p.y(), 2 * p.y()); });
+  Forest forest(control, find_scheme("linear"), {}, SplitUnit::faces);
+  split_here_and_there(forest, 3, GetParam());
+  const auto model_on = [](Forest& leaves) {
+    const ForestMesh mesh = forest_mesh(leaves, Closure::hanging);
+    EXPECT_GT(mesh.hanging.size(), 10U);
+    return plane_on(mesh, R"([model]
+kind = "poisson"
+[material]
+[[support]]
+where = "boundary"
+value = 0
+[[load]]
+where = "all"
+source = 1
+)");
+  };
+  const PlaneModel model = model_on(forest);
+  const PoissonSolution solution = solve_poisson(model);
+  for (const int levels : {1, 2}) {
+    Forest split = split_leaves(forest, levels);
+    ASSERT_EQ(split.leaves().size(), forest.leaves().size() << (2 * levels));
+    const PlaneModel finer = model_on(split);
+    const PoissonSolution reference = solve_poisson(finer);
+    const std::vector<double> squares =
+        error_against(*finer.space, energy_density(finer, reference), levels, *model.space,
+                      energy_density(model, solution));
+    const double difference = reference.strain_energy - solution.strain_energy;
+    EXPECT_NEAR(std::accumulate(squares.begin(), squares.end(), 0.0) / (2 * difference), 1, 1e-9);
   }
 }
 
@@ -408,16 +522,18 @@ TEST(HangingAdaptive, ResultsDoNotDependOnTheNumberOfThreads) {
 #else
     (void)threads;
 #endif
-    const ShellResult result = adapted("hole_5.toml", "1401.0685", {"adapt.max_dofs=3000"});
+    const ShellResult result = adapted("hole_5.toml", "1401.0685",
+                                       {"adapt.max_dofs=3000", "adapt.estimator=residual",
+                                        "adapt.reference_levels=1", "mesh.smoothing=10"});
     return result_json(result, false).dump();
   };
   const std::string one = run(1);
   EXPECT_EQ(run(4), one);
 }
 
-std::string refusal(const std::string& adapt, const std::string& mesh = {}) {
+std::string refusal(const std::string& adapt) {
   try {
-    (void)parse_problem("[mesh]\nfile = \"m.obj\"\nscheme = \"linear\"\n" + mesh + R"([model]
+    (void)parse_problem(std::string("[mesh]\nfile = \"m.obj\"\nscheme = \"linear\"\n") + R"([model]
 kind = "mitc4"
 [material]
 young = 1
@@ -437,24 +553,8 @@ kind = "clamped"
 
 TEST(HangingAdaptive, ErrorsNameTheLine) {
   EXPECT_EQ(refusal("closure = \"hanging\"\n"), "no error");
-  EXPECT_EQ(refusal("closure = \"hanging\"\nreference_levels = 1\n"),
-            "p.toml:15: meshes with hanging vertices are not refined for comparison; right is 0 or "
-            "closure = \"conforming\"");
-  EXPECT_EQ(refusal("estimator = \"residual\"\nclosure = \"hanging\"\n"),
-            "p.toml:14: residuals of shells are not taken at hanging vertices; right is "
-            "\"zienkiewicz-zhu\" or closure = \"conforming\"");
   EXPECT_EQ(refusal("closure = \"triangles\"\n").find("p.toml:14: [adapt] closure"), 0U)
       << refusal("closure = \"triangles\"\n");
-  const std::string smoothed = refusal("closure = \"hanging\"\n", R"(placement = "exact"
-smoothing = 2
-[geometry]
-kind = "plane"
-axis = [0, 0, 1]
-)");
-  EXPECT_EQ(
-      smoothed,
-      "p.toml:19: vertices that hang in sides do not slide; right is \"conforming\" or [mesh] "
-      "smoothing = 0");
 }
 
 TEST(HangingAdaptive, EveryReportIsWritten) {
@@ -477,23 +577,71 @@ TEST(HangingAdaptive, EveryReportIsWritten) {
       has_mesh(names_of(run_shell_problem(problem_file("hole_5.toml", {"adapt.max_dofs=1000"})))));
 }
 
-TEST(HangingAdaptive, HolesAreRefused) {
+// Faces tagged as holes are as if they were not there, split or beside split ones; leaves are marked by
+// estimates, so these agree as well.
+TEST(HangingAdaptive, HolesAreNotThere) {
   const std::filesystem::path folder =
       std::filesystem::path(::testing::TempDir()) / "limes_hanging";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "m.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
-                                     "f 1 2 5 4\nf 2 3 6 5\nt hole 1/0/0 1\n";
-  try {
-    (void)run_poisson_problem(parse_problem("[mesh]\nfile = \"m.obj\"\nscheme = \"linear\"\n" +
-                                                linear_value + "[adapt]\nclosure = \"hanging\"\n",
-                                            folder / "p.toml"));
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("p.toml:11: [adapt] closure = \"hanging\" knows no hole "
-                        "faces, and face 1 of"),
-              std::string::npos)
-        << error.what();
+  std::string vertices, faces, others;
+  std::vector<int> holes;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i)
+      vertices += fmt::format("v {} {} 0\n", i, j);
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int v = 5 * j + i + 1;
+      const std::string face = fmt::format("f {} {} {} {}\n", v, v + 1, v + 6, v + 5);
+      faces += face;
+      if ((i == 1 && j > 0 && j < 3) || (i == 3 && j == 0))
+        holes.push_back(4 * j + i);
+      else
+        others += face;
+    }
+  std::string tags;
+  for (const int f : holes)
+    tags += fmt::format("t hole 1/0/0 {}\n", f);
+  std::ofstream(folder / "tagged.obj") << vertices << faces << tags;
+  std::ofstream(folder / "without.obj") << vertices << others;
+  for (const char* estimator : {"zienkiewicz-zhu", "residual"}) {
+    const auto steps_on = [&](const char* mesh) {
+      return run_problem(parse_problem(fmt::format(R"([mesh]
+file = "{}.obj"
+scheme = "linear"
+[model]
+kind = "plane-stress"
+[material]
+young = 10
+poisson = 0.25
+thickness = 0.5
+[[support]]
+where = "x == 0"
+fix = ["ux", "uy"]
+[[load]]
+where = "x == 4"
+force_per_length = [1, -2]
+[[load]]
+where = "x == 1 and y >= 1 and y <= 3"
+pressure = 3
+[adapt]
+closure = "hanging"
+estimator = "{}"
+max_dofs = 700
+reference_levels = 1
+)",
+                                                   mesh, estimator),
+                                       folder / "p.toml"))
+          .adaptive->history.steps;
+    };
+    const auto tagged = steps_on("tagged"), without = steps_on("without");
+    ASSERT_EQ(tagged.size(), without.size()) << estimator;
+    ASSERT_GT(tagged.size(), 3U);
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+      EXPECT_EQ(tagged[i].dofs, without[i].dofs);
+      EXPECT_NEAR(tagged[i].strain_energy / without[i].strain_energy, 1, 1e-9);
+      EXPECT_NEAR(tagged[i].error_estimate / without[i].error_estimate, 1, 1e-9);
+      EXPECT_NEAR(*tagged[i].finer_error / *without[i].finer_error, 1, 1e-9);
+    }
   }
 }
 
@@ -508,6 +656,34 @@ TEST(HangingAdaptive, SmallHoleHasTheErrorThatIsEstimated) {
                                 {"adapt.max_dofs=40000", "adapt.mark=maximum", "adapt.share=0.2"});
   for (const AdaptStep& s : r.adaptive->history.steps)
     EXPECT_NEAR(*s.effectivity, 1.1, 0.4) << s.dofs;
+}
+
+// Both estimates are of the error against a finer solution, which finds sqrt(3/4) of the error. Residuals see
+// the transverse shear that oscillates between few, large elements of the plate, though it has little energy.
+TEST(HangingAdaptive, ErrorsOfShellsAreThoseAgainstAFinerSolution) {
+  for (const auto& [file, more] : {std::pair("hole_2_5.toml", "mesh.levels=1"),
+                                   std::pair("cylinder_plate_c.toml", "mesh.levels=2"),
+                                   std::pair("hole_5.toml", "mesh.smoothing=20")})
+    for (const char* estimator : {"zienkiewicz-zhu", "residual"}) {
+      const ShellResult r = run_shell_problem(
+          problem_file(file, {more, "adapt.max_dofs=6000", "adapt.reference_levels=1",
+                              std::string("adapt.estimator=") + estimator}));
+      EXPECT_GT(r.adaptive->history.steps.size(), 1U);
+      const bool shear = file[0] == 'c' && estimator[0] == 'r';
+      for (const AdaptStep& s : r.adaptive->history.steps)
+        EXPECT_NEAR(*s.finer_effectivity * std::sqrt(0.75), 1, shear ? 0.35 : 0.2)
+            << file << estimator << s.dofs;
+    }
+}
+
+TEST(HangingAdaptive, ErrorsOfPlaneProblemsAreThoseAgainstAFinerSolution) {
+  const PoissonResult r = run_poisson_problem(
+      problem_file("l_shape.toml", {"adapt.max_dofs=2000", "adapt.reference_levels=2"}));
+  for (const AdaptStep& s : r.adaptive->history.steps)
+    EXPECT_NEAR(*s.finer_error / *s.true_error, 0.95, 0.05) << s.dofs;  // 0.92 of the singularity
+  const PlaneResult cook =
+      run_problem(problem_file("cook.toml", {"adapt.max_dofs=1000", "adapt.reference_levels=2"}));
+  EXPECT_NEAR(*cook.adaptive->history.steps.back().finer_effectivity, 1.1, 0.2);
 }
 
 // From one level, of which the conforming closure cannot start.

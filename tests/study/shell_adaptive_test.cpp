@@ -415,24 +415,72 @@ TEST(ShellError, IsThatOfTheMomentsOfAPlate) {
   }
 }
 
-// The same where a quarter of the leaves is split, here and there: with hanging nodes the estimate stays the
-// error.
+/// A quarter of the leaves split, here and there.
+ShellForest split_plate(const Problem& problem, double shift) {
+  ShellForest shell = shell_forest(problem, plate_of_four(shift));
+  std::mt19937 random(1);
+  std::vector<FaceId> marked;
+  for (const FaceId leaf : shell.forest.leaves())
+    if (random() % 4 == 0) marked.push_back(leaf);
+  shell.forest.refine(marked);
+  return shell;
+}
+
+// The same with hanging nodes: both estimates stay the error.
 TEST(ShellError, IsThatOfTheMomentsOfAPlateWithHangingNodes) {
   const Problem problem =
       parse_problem(std::string(sine_plate) + "[adapt]\nclosure = \"hanging\"\n", "p.toml");
   for (const double shift : {0.0, 0.3}) {
-    ShellForest shell = shell_forest(problem, plate_of_four(shift));
-    std::mt19937 random(1);
-    std::vector<FaceId> marked;
-    for (const FaceId leaf : shell.forest.leaves())
-      if (random() % 4 == 0) marked.push_back(leaf);
-    shell.forest.refine(marked);
+    ShellForest shell = split_plate(problem, shift);
     const ForestMesh mesh = forest_mesh(shell.forest, Closure::hanging);
     ASSERT_GT(mesh.hanging.size(), 100U);
     const ShellModel model = shell_model_on(problem, mesh.mesh, {}, mesh.hanging);
     const ShellSolution solution = solve_shell(model);
     const double error = plate_error_square(model, solution);
     EXPECT_NEAR(std::sqrt(sum(estimate_error(model, solution)) / error), 1, 0.03) << shift;
+    EXPECT_NEAR(std::sqrt(sum(residual_estimate(model, solution)) / error), 1, 0.06) << shift;
+  }
+}
+
+// On the same leaves, and with families of four, the residuals of both closures differ as their errors do: that
+// of the conforming one has more elements.
+TEST(ShellError, ResidualsOfBothClosuresAreThatOfTheMomentsOfAPlate) {
+  const Problem problem = parse_problem(sine_plate, "p.toml");
+  for (const double shift : {0.0, 0.3}) {
+    ShellForest shell = split_plate(problem, shift);
+    std::array<double, 2> effectivity{}, estimate{};
+    std::size_t i = 0;
+    for (const Closure closure : {Closure::hanging, Closure::conforming}) {
+      const ForestMesh mesh = forest_mesh(shell.forest, closure);
+      const ShellModel model = shell_model_on(problem, mesh.mesh, {}, mesh.hanging);
+      const ShellSolution solution = solve_shell(model);
+      estimate.at(i) = std::sqrt(sum(residual_estimate(model, solution)));
+      effectivity.at(i) = estimate.at(i) / std::sqrt(plate_error_square(model, solution));
+      ++i;
+    }
+    EXPECT_GT(estimate[0], 1.1 * estimate[1]);
+    EXPECT_NEAR(effectivity[0] / effectivity[1], 1, 0.06) << shift << ' ' << effectivity[0];
+  }
+}
+
+// A finer solution finds of the error with hanging nodes what it finds without.
+TEST(ShellError, AgainstAFinerSolutionWithHangingNodes) {
+  const Problem problem =
+      parse_problem(std::string(sine_plate) + "[adapt]\nclosure = \"hanging\"\n", "p.toml",
+                    std::vector<std::string>{"mesh.levels=3"});
+  for (const double shift : {0.0, 0.3}) {
+    ShellForest shell = split_plate(problem, shift);
+    const ForestMesh mesh = forest_mesh(shell.forest, Closure::hanging);
+    ASSERT_GT(mesh.hanging.size(), 20U);
+    const ShellModel model = shell_model_on(problem, mesh.mesh, {}, mesh.hanging);
+    const ShellSolution solution = solve_shell(model);
+    const double error = plate_error_square(model, solution);
+    for (int levels = 1; levels <= 2; ++levels) {
+      const ShellModel finer = finer_model(model, shell, {}, mesh, levels);
+      EXPECT_GT(std::count(finer.hangs.begin(), finer.hangs.end(), 1), mesh.hanging.size());
+      const double found = sum(error_against(finer, solve_shell(finer), levels, model, solution));
+      EXPECT_NEAR(found / error, 1 - std::pow(4.0, -levels), 0.02) << shift << ' ' << levels;
+    }
   }
 }
 

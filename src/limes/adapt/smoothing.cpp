@@ -35,22 +35,12 @@ struct Objective {
   }
 };
 
-/// The corners of one face that its corner x is part of; o is the one opposite.
-struct FacePart {
-  Vec3 next, opposite, previous, normal;
-  double size;  ///< square root of its area
-
-  void add_to(Objective& sum, const Vec3& x) const {
-    const Vec3 a = (next - x) / size, b = (previous - x) / size;
-    const Vec3 c = (opposite - next) / size, d = (opposite - previous) / size;
-    const double s = 1 / size;
-    sum.add(a.squaredNorm() + b.squaredNorm(), -2 * s * (a + b), 4 * s * s,
-            2 * normal.dot(a.cross(b)), 2 * s * normal.cross(b - a));
-    sum.add(c.squaredNorm() + a.squaredNorm(), -2 * s * a, 2 * s * s, -2 * normal.dot(c.cross(a)),
-            2 * s * normal.cross(c));
-    sum.add(b.squaredNorm() + d.squaredNorm(), -2 * s * b, 2 * s * s, -2 * normal.dot(b.cross(d)),
-            2 * s * d.cross(normal));
-  }
+/// A face that changes its shape when a vertex moves.
+struct MovedFace {
+  FaceId face;
+  /// How far each corner goes when the vertex goes by 1: it itself 1, a vertex that hangs at half of a side
+  /// of it 1/2, the others 0.
+  std::array<double, 4> weight{};
 };
 
 /// Unit normal in the middle of a quad; the faces' own, whatever is beyond a kink.
@@ -61,53 +51,104 @@ Vec3 normal_of(const Mesh& mesh, FaceId f) {
       .normalized();
 }
 
-using Corner = std::pair<FaceId, int>;
+/// The same at one time: what does not change while a step is looked for.
+struct FacePart {
+  MovedFace moved;
+  Vec3 normal;
+  double size;  ///< square root of the area it should have
+
+  /// Of the corners whose sides change.
+  void add_to(Objective& sum, const Mesh& mesh) const {
+    const auto corner = mesh.topology.face(moved.face);
+    const auto at = [&](std::size_t k) { return mesh.points[corner[k % 4]]; };
+    const auto weight = [&](std::size_t k) { return moved.weight[k % 4]; };
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double da = (weight(k + 1) - weight(k)) / size, db = (weight(k + 3) - weight(k)) / size;
+      if (weight(k) == 0 && da == 0 && db == 0) continue;
+      const Vec3 a = (at(k + 1) - at(k)) / size, b = (at(k + 3) - at(k)) / size;
+      sum.add(a.squaredNorm() + b.squaredNorm(), 2 * (da * a + db * b), 2 * (da * da + db * db),
+              2 * normal.dot(a.cross(b)), 2 * (da * b.cross(normal) + db * normal.cross(a)));
+    }
+  }
+};
 
 class Smoother {
  public:
   Smoother(Mesh& mesh, const std::vector<double>& areas, const IdArray<VertexId, VertexId>& node,
-           const Sliding& sliding)
+           const Sliding& sliding, std::span<const HangingVertex> hanging)
       : mesh_(mesh),
         areas_(areas),
         node_(node),
         sliding_(sliding),
-        corners_(static_cast<std::size_t>(node.size())),
-        vertices_(static_cast<std::size_t>(node.size())) {
-    const Topology& t = mesh.topology;
-    for (int f = 0; f < t.num_faces(); ++f)
-      for (int i = 0; i < 4; ++i)
-        corners_[node[t.face(FaceId(f))[static_cast<std::size_t>(i)]]].emplace_back(FaceId(f), i);
+        hangs_(static_cast<std::size_t>(node.size()), 0),
+        followers_(static_cast<std::size_t>(node.size())),
+        vertices_(static_cast<std::size_t>(node.size())),
+        faces_(static_cast<std::size_t>(node.size())) {
+    for (const HangingVertex& h : hanging) {
+      hangs_[h.vertex] = 1;
+      for (const VertexId end : h.ends)
+        followers_[node[end]].push_back(h);
+    }
     for (int v = 0; v < node.size(); ++v)
       vertices_[node[VertexId(v)]].push_back(VertexId(v));
+    find_faces();
   }
 
   /// @return how far the vertices moved, relative to their longest sides, at most
   double sweep() {
     double largest = 0;
     for (int v = 0; v < node_.size(); ++v)
-      if (!corners_[VertexId(v)].empty()) largest = std::max(largest, move(VertexId(v)));
+      if (!faces_[VertexId(v)].empty() && !hangs_[VertexId(v)])
+        largest = std::max(largest, move(VertexId(v)));
     return largest;
   }
 
  private:
+  void find_faces() {
+    const Topology& t = mesh_.topology;
+    for (int f = 0; f < t.num_faces(); ++f)
+      for (std::size_t i = 0; i < 4; ++i)
+        face_of(node_[t.face(FaceId(f))[i]], FaceId(f)).weight[i] = 1;
+    for (int v = 0; v < node_.size(); ++v)
+      for (const HangingVertex& h : followers_[VertexId(v)])
+        for (const MovedFace& own : faces_[h.vertex])
+          for (std::size_t i = 0; i < 4; ++i)
+            if (own.weight[i] == 1) face_of(VertexId(v), own.face).weight[i] = 0.5;
+  }
+  MovedFace& face_of(VertexId v, FaceId f) {
+    for (MovedFace& known : faces_[v])
+      if (known.face == f) return known;
+    return faces_[v].emplace_back(MovedFace{f, {}});
+  }
+
   [[nodiscard]] std::vector<FacePart> parts_of(VertexId v) const {
     std::vector<FacePart> out;
-    for (const auto& [f, i] : corners_[v]) {
-      const auto corner = mesh_.topology.face(f);
-      const auto at = [&, i = i](int k) {
-        return mesh_.points[corner[static_cast<std::size_t>((i + k) % 4)]];
-      };
-      out.push_back({at(1), at(2), at(3), normal_of(mesh_, f),
-                     std::sqrt(areas_[static_cast<std::size_t>(f.value)])});
-    }
+    for (const MovedFace& moved : faces_[v])
+      out.push_back({moved, normal_of(mesh_, moved.face),
+                     std::sqrt(areas_[static_cast<std::size_t>(moved.face.value)])});
     return out;
   }
 
-  static Objective objective(const std::vector<FacePart>& parts, const Vec3& x) {
+  [[nodiscard]] Objective objective(const std::vector<FacePart>& parts) const {
     Objective sum;
     for (const FacePart& part : parts)
-      part.add_to(sum, x);
+      part.add_to(sum, mesh_);
     return sum;
+  }
+
+  /// The longest side at the vertex.
+  [[nodiscard]] double longest_side(VertexId v) const {
+    double longest = 0;
+    for (const MovedFace& moved : faces_[v]) {
+      const auto corner = mesh_.topology.face(moved.face);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (moved.weight[i] != 1) continue;
+        for (const std::size_t k : {i + 1, i + 3})
+          longest =
+              std::max(longest, (mesh_.points[corner[k % 4]] - mesh_.points[corner[i]]).norm());
+      }
+    }
+    return longest;
   }
 
   /// Downhill in the given directions: Newton's step with the absolute eigenvalues.
@@ -119,27 +160,39 @@ class Smoother {
     return -(T * (V * (V.transpose() * (T.transpose() * sum.gradient)).cwiseQuotient(size)));
   }
 
+  /// With what is tied to it, and what hangs in its sides.
+  void put(VertexId v, const Vec3& x) {
+    for (const VertexId w : vertices_[v])
+      mesh_.points[w] = x;
+    for (const HangingVertex& h : followers_[v])
+      mesh_.points[h.vertex] =
+          sliding_.placed(h.vertex, (mesh_.points[h.ends[0]] + mesh_.points[h.ends[1]]) / 2);
+  }
+
   double move(VertexId v) {
     const Vec3 x = mesh_.points[v];
     const auto directions = sliding_.directions(v, x);
     if (directions.cols() == 0) return 0;
     const std::vector<FacePart> parts = parts_of(v);
-    const Objective here = objective(parts, x);
+    const Objective here = objective(parts);
     if (!std::isfinite(here.value)) return 0;
-    double longest = 0;
-    for (const FacePart& part : parts)
-      longest = std::max({longest, (part.next - x).norm(), (part.previous - x).norm()});
+    const double longest = longest_side(v);
     Vec3 step = step_of(here, directions);
     if (!step.allFinite()) return 0;
     if (step.norm() > 0.5 * longest) step *= 0.5 * longest / step.norm();
+    std::vector<Vec3> before;
+    for (const HangingVertex& h : followers_[v])
+      before.push_back(mesh_.points[h.vertex]);
     constexpr double shortest = 1e-6;  // of the longest side
     for (; step.norm() > shortest * longest; step /= 2) {
       const Vec3 there = sliding_.placed(v, x + step);
-      if (!(objective(parts, there).value < here.value)) continue;
-      for (const VertexId w : vertices_[v])
-        mesh_.points[w] = there;
-      return (there - x).norm() / longest;
+      put(v, there);
+      if (objective(parts).value < here.value) return (there - x).norm() / longest;
     }
+    for (const VertexId w : vertices_[v])
+      mesh_.points[w] = x;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      mesh_.points[followers_[v][i].vertex] = before[i];
     return 0;
   }
 
@@ -147,8 +200,10 @@ class Smoother {
   const std::vector<double>& areas_;
   const IdArray<VertexId, VertexId>& node_;
   const Sliding& sliding_;
-  IdArray<VertexId, std::vector<Corner>> corners_;     // of nodes
-  IdArray<VertexId, std::vector<VertexId>> vertices_;  // of nodes
+  IdArray<VertexId, char> hangs_;
+  IdArray<VertexId, std::vector<HangingVertex>> followers_;  // of nodes: what hangs in their sides
+  IdArray<VertexId, std::vector<VertexId>> vertices_;        // of nodes
+  IdArray<VertexId, std::vector<MovedFace>> faces_;          // of nodes
 };
 
 }  // namespace
@@ -179,11 +234,11 @@ std::vector<double> face_areas(const Mesh& mesh) {
 
 SmoothingResult improve_shapes(Mesh& quads, const std::vector<double>& areas,
                                const IdArray<VertexId, VertexId>& node, const Sliding& sliding,
-                               int sweeps) {
+                               int sweeps, std::span<const HangingVertex> hanging) {
   constexpr double settled = 1e-3;
   SmoothingResult result;
   result.worst_before = worst_distortion(quads);
-  Smoother smoother(quads, areas, node, sliding);
+  Smoother smoother(quads, areas, node, sliding, hanging);
   while (result.sweeps < sweeps) {
     ++result.sweeps;
     if (smoother.sweep() < settled) break;

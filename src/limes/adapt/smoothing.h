@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
+#include "limes/subdiv/leaf_mesh.h"
 
 namespace limes {
 
@@ -43,10 +45,13 @@ struct SmoothingResult {
 ///
 /// @param areas  that the faces should have, > 0; only their ratios count
 /// @param node   the lowest vertex that each is tied to, which move together; see tied_nodes()
+/// @param hanging  vertices inside sides, which do not move by themselves: they stay in the middle of the ends
+///                 of their sides, as `placed` puts it, and the faces there count for these ends. Not tied;
+///                 their ends do not hang.
 /// Serial, in order of the vertices: the result does not depend on threads.
 /// @pre all faces are quads
 SmoothingResult improve_shapes(Mesh& quads, const std::vector<double>& areas,
                                const IdArray<VertexId, VertexId>& node, const Sliding& sliding,
-                               int sweeps);
+                               int sweeps, std::span<const HangingVertex> hanging = {});
 
 }  // namespace limes

@@ -215,7 +215,10 @@ ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v) {
     h = adjacency.ring_next(h);
     if (h == start) break;
   }
-  return {};
+  // Where vertices hang, holes may lie between fans of elements that meet in the vertex. It has one value there: it
+  // is a corner, and the functions are bilinear.
+  const bool is_corner = start.valid() && space.geometry().scheme().patch == LimitPatch::bilinear;
+  return is_corner ? value_at_side(space, start, 0.0, region_of(space, start)) : ConstraintRow();
 }
 
 std::vector<HalfedgeId> domain_sides(const SubdivisionSpace& space) {

@@ -50,9 +50,7 @@ Problem step_problem(const Problem& problem) {
   return out;
 }
 
-AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& scheme,
-                           int dofs_per_vertex,
-                           const std::function<StepSolution(const ForestMesh&)>& solve) {
+Forest plane_forest(const Problem& problem, const Mesh& start, const Scheme& scheme) {
   const Topology& t = start.topology;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4)
@@ -61,9 +59,11 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
           "levels = 1 makes quads",
           problem.file.string(), problem.adapt->line, f, mesh_path(problem).string(),
           t.face_size(FaceId(f)));
-  Forest forest(start, scheme, {.levels = 0}, split_unit(problem),
-                scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
-  return run_adaptively(problem, forest, {}, dofs_per_vertex, solve);
+  return {start,
+          scheme,
+          {.levels = 0},
+          split_unit(problem),
+          scheme.interpolatory ? LimitsOf{} : forest_limits(scheme)};
 }
 
 AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,

@@ -24,15 +24,13 @@ struct AdaptiveRun {
 /// Which faces the closure of the problem needs to be split together.
 [[nodiscard]] SplitUnit split_unit(const Problem& problem);
 
-/// Runs the loop on a forest of quadtrees on a mesh.
+/// A forest of quadtrees on a plane mesh.
 /// @param scheme  that places new vertices
-/// @param solve   solves step_problem() on the mesh of a step
 /// @throws InputError for a face that is no quad
-[[nodiscard]] AdaptiveRun run_adaptively(
-    const Problem& problem, Mesh start, const Scheme& scheme, int dofs_per_vertex,
-    const std::function<StepSolution(const ForestMesh&)>& solve);
+[[nodiscard]] Forest plane_forest(const Problem& problem, const Mesh& start, const Scheme& scheme);
 
-/// The same on a forest that is there.
+/// Runs the loop on a forest.
+/// @param solve  solves step_problem() on the mesh of a step
 /// @param seams  edges of its control mesh where parts are tied
 [[nodiscard]] AdaptiveRun run_adaptively(
     const Problem& problem, Forest& forest, std::span<const TiedEdge> seams, int dofs_per_vertex,

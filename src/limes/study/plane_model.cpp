@@ -69,9 +69,15 @@ void require_unfolded(const PlaneModel& model) {
 ClosedMesh::ClosedMesh(Mesh quads, std::span<const HangingVertex> vertices)
     : faces(hanging_faces(quads.topology, vertices)),
       mesh(std::move(quads)),
-      adjacency(faces.topology),
-      hanging(vertices.begin(), vertices.end()) {
+      adjacency(faces.topology) {
   mesh.topology = faces.topology;
+  std::vector<bool> in_hole(static_cast<std::size_t>(mesh.points.size()), false);
+  for (const FaceId hole : mesh.tags.holes)
+    for (int i = 0; i < 4; ++i)
+      if (const HalfedgeId h = faces.inside(hole, i); h.valid())
+        in_hole[static_cast<std::size_t>(faces.topology.corner(h).value)] = true;
+  for (const HangingVertex& h : vertices)
+    if (!in_hole[static_cast<std::size_t>(h.vertex.value)]) hanging.push_back(h);
 }
 
 Selection PlaneModel::selection(const std::string& where, int line) const {
@@ -176,7 +182,8 @@ std::vector<ConstraintRow> hanging_rows(const PlaneModel& model) {
   if (!model.closed) return out;
   const auto dof = [&](VertexId v) { return dof_of_vertex(*model.space, v); };
   for (const HangingVertex& h : model.closed->hanging)
-    out.push_back({{dof(h.vertex), -1.0}, {dof(h.ends[0]), 0.5}, {dof(h.ends[1]), 0.5}});
+    if (dof(h.vertex) >= 0)  // else what is split beyond the side are holes
+      out.push_back({{dof(h.vertex), -1.0}, {dof(h.ends[0]), 0.5}, {dof(h.ends[1]), 0.5}});
   return out;
 }
 

@@ -20,7 +20,7 @@ struct ClosedMesh {
   HangingFaces faces;
   Mesh mesh;  ///< of these faces
   Adjacency adjacency;
-  std::vector<HangingVertex> hanging;
+  std::vector<HangingVertex> hanging;  ///< in sides of faces that are no holes
 
   ClosedMesh(Mesh quads, std::span<const HangingVertex> vertices);
   ClosedMesh(const ClosedMesh&) = delete;
@@ -70,7 +70,7 @@ struct PlaneModel {
 };
 
 /// Refines a control mesh, finds the materials and builds the space.
-/// @param hanging  vertices that hang in sides: with scheme "linear" and no levels, on quads without holes
+/// @param hanging  vertices that hang in sides: with scheme "linear" and no levels, on quads
 /// @throws InputError for a mesh that cannot be refined, is not plane or is folded, and for faces
 ///         with no material or two
 [[nodiscard]] PlaneModel build_model(const Problem& problem, Mesh control,

@@ -277,19 +277,6 @@ void ProblemReader::read_adapt() {
       fail(table.place(),
            "[adapt] smooths meshes on exact surfaces only; right is [mesh] smoothing = 0 or "
            "placement = \"exact\"");
-    if (problem_.mesh.smoothing > 0 && adapt.closure == Closure::hanging)
-      fail(table.place("closure"),
-           "vertices that hang in sides do not slide; right is \"conforming\" or [mesh] smoothing "
-           "= 0");
-    if (adapt.closure == Closure::hanging && adapt.reference_levels > 0)
-      fail(table.place("reference_levels"),
-           "meshes with hanging vertices are not refined for comparison; right is 0 or closure = "
-           "\"conforming\"");
-    if (adapt.closure == Closure::hanging && adapt.estimator == EstimatorKind::residual &&
-        problem_.model.kind == ModelKind::mitc4)
-      fail(table.place("estimator"),
-           "residuals of shells are not taken at hanging vertices; right is \"zienkiewicz-zhu\" or "
-           "closure = \"conforming\"");
     if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
       fail(table.place(),
            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");

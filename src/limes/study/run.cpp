@@ -17,6 +17,7 @@
 #include "limes/study/shell_supports.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
+#include "limes/subdiv/split_leaves.h"
 
 namespace limes {
 namespace {
@@ -59,14 +60,17 @@ void require_kept_faces(const Problem& problem, const Tags& tags) {
         problem.file.string(), problem.adapt->line, mesh_path(problem).string());
 }
 
-void require_no_holes(const Problem& problem, const Tags& tags) {
-  if (problem.adapt->closure == Closure::hanging && !tags.holes.empty())
-    throw InputError(
-        "{}:{}: [adapt] closure = \"hanging\" knows no hole faces, and face {} of {} is one; right "
-        "is "
-        "\"conforming\", or a mesh without them",
-        problem.file.string(), problem.adapt->line, tags.holes.front().value,
-        mesh_path(problem).string());
+/// The mesh of a step with every face split as often as reference_levels says, and what hangs there.
+ForestMesh split_mesh(const Problem& problem, const Forest& forest, const ForestMesh& mesh,
+                      const Scheme& scheme) {
+  const int levels = problem.adapt->reference_levels;
+  if (mesh.hanging.empty()) {
+    ForestMesh out;
+    out.mesh = refine(mesh.mesh, scheme, {.levels = levels});
+    return out;
+  }
+  Forest split = split_leaves(forest, levels);
+  return forest_mesh(split, Closure::hanging);
 }
 
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
@@ -78,13 +82,13 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
   require_kept_faces(problem, file.mesh.tags);
-  require_no_holes(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
+  Forest forest =
+      plane_forest(problem, refine(file.mesh, scheme, {.levels = problem.mesh.levels}), scheme);
   const Problem step = step_problem(problem);
   int number = 0;
-  result.adaptive = run_adaptively(
-      problem, std::move(start), scheme, dofs_per_vertex, [&](const ForestMesh& mesh) {
+  result.adaptive =
+      run_adaptively(problem, forest, {}, dofs_per_vertex, [&](const ForestMesh& mesh) {
         if (on_phase)
           on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
         result.model = build(step, mesh.mesh, mesh.hanging);
@@ -93,7 +97,8 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
             result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
             result.solution.strain_energy, estimate_error(result.model, result.solution)};
         if (const int levels = problem.adapt->reference_levels; levels > 0) {
-          const PlaneModel finer = build(step, refine(mesh.mesh, scheme, {.levels = levels}), {});
+          const ForestMesh split = split_mesh(problem, forest, mesh, scheme);
+          const PlaneModel finer = build(step, split.mesh, split.hanging);
           const auto reference = solve(finer);
           out.finer_squares =
               error_against(*finer.space, energy_density(finer, reference), levels,

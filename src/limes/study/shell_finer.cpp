@@ -1,12 +1,14 @@
 #include "limes/study/shell_finer.h"
 
 #include <cmath>
+#include <utility>
 
 #include "limes/core/parallel.h"
 #include "limes/fem/resultant_norm.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/split.h"
+#include "limes/subdiv/split_leaves.h"
 
 namespace limes {
 namespace {
@@ -22,6 +24,28 @@ Mesh split_mesh(const ShellModel& model, const ShellForest& shell,
       {.levels = levels, .boundary = model.mesh->tags.boundary.value_or(BoundaryRule::edges)});
 }
 
+/// Of the forest with all leaves split: a side in which a node hangs has others there, in both halves.
+ShellModel finer_hanging_model(const ShellModel& model, const ShellForest& shell,
+                               const ForestMesh& mesh, int levels) {
+  const Problem& problem = model.problem;
+  Forest forest = shell.forest;
+  ForestMesh fine = mesh;
+  fine.mesh.points = model.mesh->points;
+  std::vector<TiedEdge> tied;
+  for (int level = 0; level < levels; ++level) {
+    forest = split_leaves(std::move(forest), 1);
+    ForestMesh split = forest_mesh(forest, Closure::hanging);
+    tied = tied_edges(forest, split, shell.seams);
+    if (problem.mesh.smoothing > 0)  // the forest does not know where vertices have gone
+      place_children(problem, fine,
+                     surfaces_of_vertices(problem, split.mesh, tied,
+                                          edges_in_forest(forest, split, shell.curves)),
+                     split);
+    fine = std::move(split);
+  }
+  return shell_model_on(problem, std::move(fine.mesh), tied, fine.hanging);
+}
+
 ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,
                       const Vec2& rs) {
   return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
@@ -31,6 +55,7 @@ ShellResultants state(const ShellModel& model, const ShellSolution& solution, Fa
 
 ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
                        const std::vector<TiedEdge>& tied, const ForestMesh& mesh, int levels) {
+  if (!mesh.hanging.empty()) return finer_hanging_model(model, shell, mesh, levels);
   return shell_model_on(model.problem, split_mesh(model, shell, tied, mesh, levels),
                         refined_seams(*model.mesh, tied, levels));
 }

@@ -9,7 +9,7 @@ namespace limes {
 
 /// The problem of a model on a mesh of a forest, with every face split `levels` times more. New vertices
 /// are placed on exact surfaces or by the scheme; those of the model stay. The children of face f are the
-/// 4^levels faces from 4^levels f on.
+/// 4^levels faces from 4^levels f on. Where a node hangs in a side of the mesh, others do in the halves of it.
 /// @param tied  edges of the mesh on seams
 [[nodiscard]] ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
                                      const std::vector<TiedEdge>& tied, const ForestMesh& mesh,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -152,8 +153,39 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
   if (mesh.leaves.size() == areas.size()) return;
   const auto fine = edges_in_forest(forest, mesh, curves);
   improve_shapes(problem, mesh.mesh, areas_in_forest(forest, mesh, areas),
-                 surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied,
-                 problem.mesh.smoothing);
+                 surfaces_of_vertices(problem, mesh.mesh, tied, fine), tied, problem.mesh.smoothing,
+                 mesh.hanging);
+}
+
+void place_children(const Problem& problem, const ForestMesh& coarse,
+                    const std::vector<SurfaceList>& surfaces, ForestMesh& split) {
+  std::map<VertexId, VertexId> in_coarse;  // by number in the forest
+  for (std::size_t v = 0; v < coarse.nodes.size(); ++v)
+    in_coarse[coarse.nodes[v]] = VertexId(v);
+  IdArray<VertexId, Vec3>& x = split.mesh.points;
+  std::vector<char> stays(split.nodes.size(), 0);
+  for (std::size_t v = 0; v < split.nodes.size(); ++v)
+    if (const auto at = in_coarse.find(split.nodes[v]); at != in_coarse.end()) {
+      x[VertexId(v)] = coarse.mesh.points[at->second];
+      stays[v] = 1;
+    }
+  const auto put = [&](VertexId v, const Vec3& near) {
+    const auto at = static_cast<std::size_t>(v.value);
+    if (!stays[at]) x[v] = placed(problem, surfaces[at], near);
+  };
+  for (int f = 0; f < coarse.mesh.topology.num_faces(); ++f) {
+    std::array<Vec3, 4> corners, middles;
+    const auto child = [&](std::size_t i) {
+      return split.mesh.topology.face(FaceId(4 * f + static_cast<int>(i)));
+    };
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = x[child(i)[0]];
+    for (std::size_t i = 0; i < 4; ++i) {
+      put(child(i)[1], (corners[i] + corners[(i + 1) % 4]) / 2);
+      middles[i] = x[child(i)[1]];
+    }
+    put(child(0)[2], between_sides(corners, middles));
+  }
 }
 
 void require_coincident(const Problem& problem, const Mesh& mesh,

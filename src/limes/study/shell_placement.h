@@ -39,6 +39,14 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
                         const std::vector<std::vector<Edge>>& curves,
                         const std::vector<TiedEdge>& tied, ForestMesh& mesh);
 
+/// Puts the vertices that a split of every face of a mesh with hanging vertices adds where they lie on exact
+/// surfaces; the others stay where that mesh has them.
+/// @param coarse    of a forest, with vertices anywhere on their surfaces
+/// @param surfaces  what every vertex of `split` lies on
+/// @param split     of the same forest with every leaf split once
+void place_children(const Problem& problem, const ForestMesh& coarse,
+                    const std::vector<SurfaceList>& surfaces, ForestMesh& split);
+
 /// @throws InputError naming two tied vertices of the refined mesh that are not in one place
 void require_coincident(const Problem& problem, const Mesh& mesh,
                         const std::vector<TiedEdge>& edges, double diagonal);

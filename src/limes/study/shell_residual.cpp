@@ -31,6 +31,39 @@ struct SidePoint {
   Mat3 free_border;      ///< against moments, where all rotations are free
 };
 
+/// A side of an element, or half of one in which a node hangs: what the element shares with one neighbour.
+struct Piece {
+  HalfedgeId h;        ///< of the face
+  int side;            ///< of the quad
+  double first, last;  ///< where it begins and ends on the side, whose corners are at -1 and 1
+  /// Parameters of a point from -1 to 1 along the piece.
+  [[nodiscard]] Vec2 at(double s) const {
+    const double along = ((1 - s) * first + (1 + s) * last) / 2;
+    switch (side) {
+      case 0:
+        return {along, -1};
+      case 1:
+        return {1, along};
+      case 2:
+        return {-along, 1};
+      default:
+        return {-1, -along};
+    }
+  }
+  /// Part of the side.
+  [[nodiscard]] double share() const { return (last - first) / 2; }
+};
+
+std::vector<Piece> pieces_of(const ShellModel& model, FaceId f) {
+  std::vector<Piece> out;
+  for (int k = 0; k < 4; ++k) {
+    const HalfedgeId start = model.corner(f, k), middle = model.faces.inside(f, k);
+    out.push_back({start, k, -1, middle.valid() ? 0.0 : 1.0});
+    if (middle.valid()) out.push_back({middle, k, 0, 1});
+  }
+  return out;
+}
+
 /// The director between those of the corners.
 Vec3 director_at(const ShellQuad& quad, const Vec2& rs) {
   const double r = rs.x(), s = rs.y();
@@ -120,17 +153,18 @@ class ShellResiduals {
     std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
     for_each_index(t.num_faces(), [&](std::int64_t i) {
       double sum = inner_square(FaceId(i), &p[static_cast<std::size_t>(4 * i)]);
-      for (int k = 0; k < 4; ++k)
-        sum += side_square_[t.halfedge(FaceId(i), k)];
+      for (const Piece& piece : pieces_of(model_, FaceId(i)))
+        sum += piece.share() * side_square_[piece.h];
       out[static_cast<std::size_t>(i)] = sum;
     });
     return out;
   }
 
  private:
-  [[nodiscard]] ShellResultants state(FaceId f, const ShellQuad& quad, const Vec2& rs) const {
+  [[nodiscard]] ShellResultants state(FaceId f, const ShellQuad& quad, const Vec2& rs,
+                                      const Vec3& director) const {
     return turned(mitc4_resultants(quad, model_.section(f), model_.unknowns(f, solution_.u), rs),
-                  director_at(quad, rs));
+                  director);
   }
 
   void measure(FaceId f) {
@@ -139,23 +173,30 @@ class ShellResiduals {
     for (const Vec2& rs : inner_points())
       area += quad.area_normal(rs).norm();
     area_[f] = area;
-    constexpr std::array<std::array<double, 2>, 4> corner{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vec2 a(corner[k][0], corner[k][1]), b(corner[(k + 1) % 4][0], corner[(k + 1) % 4][1]);
-      const Vec3 tau = quad.x[(k + 1) % 4] - quad.x[k];
-      const SectionStiffness stiffness(model_.section(f), area / tau.norm());
-      for (std::size_t q = 0; q < side_points; ++q) {
-        const double s = q == 0 ? -gauss : gauss;
-        const Vec2 rs = (1 - s) / 2 * a + (1 + s) / 2 * b;
-        const ShellResultants here = state(f, quad, rs);
-        const Vec3& V = here.normal;
-        const Vec3 nu = tau.cross(V).normalized();  // outward
-        at(model_.mesh->topology.halfedge(f, static_cast<int>(k)), q) = {
-            quad.position(rs),
-            {here.membrane * nu + here.shear.dot(nu) * V, V.cross(Vec3(here.bending * nu))},
-            stiffness.on_side(nu, V),
-            stiffness.on_free_border(nu, V)};
-      }
+    for (const Piece& piece : pieces_of(model_, f))
+      measure(f, quad, piece);
+  }
+
+  /// Direction and directors are those between the ends of the piece: on half a side those of the element
+  /// beyond it, however the side is curved.
+  void measure(FaceId f, const ShellQuad& quad, const Piece& piece) {
+    const auto k = static_cast<std::size_t>(piece.side);
+    const double length = (quad.x[(k + 1) % 4] - quad.x[k]).norm();
+    const SectionStiffness stiffness(model_.section(f), area_[f] / length);
+    const Adjacency& adjacency = *model_.adjacency;
+    const Vec3 tau =
+        model_.mesh->points[adjacency.to(piece.h)] - model_.mesh->points[adjacency.from(piece.h)];
+    const Vec3 &first = model_.director[piece.h], &last = model_.director[adjacency.next(piece.h)];
+    for (std::size_t q = 0; q < side_points; ++q) {
+      const double s = q == 0 ? -gauss : gauss;
+      const Vec3 V = ((1 - s) * first + (1 + s) * last).normalized();
+      const ShellResultants here = state(f, quad, piece.at(s), V);
+      const Vec3 nu = tau.cross(V).normalized();  // outward
+      at(piece.h, q) = {
+          quad.position(piece.at(s)),
+          {here.membrane * nu + here.shear.dot(nu) * V, V.cross(Vec3(here.bending * nu))},
+          stiffness.on_side(nu, V),
+          stiffness.on_free_border(nu, V)};
     }
   }
 
@@ -163,7 +204,7 @@ class ShellResiduals {
     return points_[side_points * static_cast<std::size_t>(h.value) + q];
   }
 
-  /// Sides that lie on each other have the same nodes.
+  /// Sides, or halves of them, that lie on each other have the same nodes.
   [[nodiscard]] std::vector<std::vector<HalfedgeId>> meeting_sides() const {
     std::map<std::array<VertexId, 2>, std::vector<HalfedgeId>> groups;
     for (int h = 0; h < model_.mesh->topology.num_corners(); ++h) {
@@ -236,7 +277,7 @@ class ShellResiduals {
     std::array<Mat3, 4> T, M;
     const auto points = inner_points();
     for (std::size_t i = 0; i < 4; ++i) {
-      states[i] = state(f, quad, points[i]);
+      states[i] = state(f, quad, points[i], director_at(quad, points[i]));
       T[i] = states[i].membrane + states[i].normal * states[i].shear.transpose();
       M[i] = states[i].bending;
     }
@@ -290,8 +331,8 @@ class ShellResiduals {
   ShellLoadDensity load_;
   IdArray<HalfedgeId, HeldDirections> held_;
   IdArray<FaceId, double> area_;
-  std::vector<SidePoint> points_;  // by halfedge, along it
-  IdArray<HalfedgeId, double> side_square_;
+  std::vector<SidePoint> points_;            // by halfedge, along it
+  IdArray<HalfedgeId, double> side_square_;  // as if each were a whole side
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ namespace limes {
 /// face's area by the length of the side. On a border whose rotations are free twisting moments act in a
 /// layer as wide as the shell is thick: their A is multiplied by x / tanh x, x = h / 6 sqrt(12 k) / t. The
 /// sides alone are exact for solutions of second order on rectangles. Forces and moments at vertices are
-/// no part of it.
+/// no part of it. A side in which a node hangs is taken by halves: each has its own j, of the resultants of both
+/// elements there, seen along the chord and the directors of the small one, and counts by half for the large one.
 [[nodiscard]] std::vector<double> residual_estimate(const ShellModel& model,
                                                     const ShellSolution& solution);
 

@@ -6,6 +6,7 @@
 #include "limes/core/error.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/selection.h"
+#include "limes/subdiv/hanging_faces.h"
 
 namespace limes {
 namespace {
@@ -91,9 +92,15 @@ IdArray<VertexId, char> held_by_selections(const Problem& problem, const Mesh& m
 
 SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::vector<double>& areas,
                                const std::vector<Surfaces>& surfaces,
-                               const std::vector<TiedEdge>& tied, int sweeps) {
+                               const std::vector<TiedEdge>& tied, int sweeps,
+                               std::span<const HangingVertex> hanging) {
   const auto node = tied_nodes(mesh.topology.num_vertices(), tied);
-  const auto stays = staying_nodes(problem, mesh, surfaces, node);
+  Mesh closed = mesh;
+  closed.topology = hanging_faces(mesh.topology, hanging).topology;
+  IdArray<VertexId, char> stays = staying_nodes(problem, closed, surfaces, node);
+  for (const HangingVertex& h : hanging)  // it stays if the ends of its side do
+    for (const VertexId end : h.ends)
+      if (stays[h.vertex]) stays[node[end]] = 1;
   const auto of = [&](VertexId v) -> const Surfaces& {
     return surfaces[static_cast<std::size_t>(v.value)];
   };
@@ -102,7 +109,7 @@ SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::ve
                                           : directions_on(of(v), x);
                         },
                         [&](VertexId v, const Vec3& x) { return nearest(of(v), x); }};
-  return improve_shapes(mesh, areas, node, sliding, sweeps);
+  return improve_shapes(mesh, areas, node, sliding, sweeps, hanging);
 }
 
 }  // namespace limes

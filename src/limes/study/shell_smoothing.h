@@ -16,12 +16,14 @@ namespace limes {
 /// Optimises the shapes of elements with vertices that slide on their exact surfaces: those inside a part
 /// on its surface, those on a border or seam along it if it has a [[curve]] or more than one surface, else
 /// they stay. So do corners: vertices on something that a neighbour along the border is not on; and what
-/// held_by_selections() says.
+/// held_by_selections() says. A vertex that hangs follows the ends of its side, and these stay if it must.
 /// @param areas     that the faces should have, > 0; only their ratios count
 /// @param surfaces  of each vertex what it lies on; those of tied vertices are the same
+/// @param hanging   vertices inside sides, none on a seam
 /// @pre all faces are quads
 SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::vector<double>& areas,
                                const std::vector<std::vector<const GeometrySettings*>>& surfaces,
-                               const std::vector<TiedEdge>& tied, int sweeps);
+                               const std::vector<TiedEdge>& tied, int sweeps,
+                               std::span<const HangingVertex> hanging = {});
 
 }  // namespace limes
