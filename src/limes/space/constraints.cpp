@@ -150,8 +150,8 @@ class Front {
 
   void determine(const MatrixX& R, const Dofs& dofs) {
     const Eigen::Index rank = R.rows();
-    const MatrixX by =
-        -R.leftCols(rank).triangularView<Eigen::Upper>().solve(R.rightCols(R.cols() - rank));
+    MatrixX by = -R.rightCols(R.cols() - rank);
+    if (by.size() > 0) R.leftCols(rank).triangularView<Eigen::Upper>().solveInPlace(by);
     for (Eigen::Index i = 0; i < rank; ++i) {
       const int dof = dofs[static_cast<std::size_t>(i)];
       determined_[static_cast<std::size_t>(dof)] = true;
