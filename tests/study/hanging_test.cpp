@@ -490,7 +490,7 @@ TEST(HangingAdaptive, HolesAreRefused) {
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("p.toml:11: [adapt] closure = \"hanging\" knows no hole "
+                  .find("p.toml:12: [adapt] closure = \"hanging\" knows no hole "
                         "faces, and face 1 of"),
               std::string::npos)
         << error.what();

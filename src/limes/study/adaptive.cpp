@@ -56,11 +56,10 @@ AdaptiveRun run_adaptively(const Problem& problem, Mesh start, const Scheme& sch
   const Topology& t = start.topology;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4)
-      throw InputError(
-          "{}:{}: [adapt] refines quads, but face {} of {} has {} corners; [mesh] "
-          "levels = 1 makes quads",
-          problem.file.string(), problem.adapt->line, f, mesh_path(problem).string(),
-          t.face_size(FaceId(f)));
+      fail_at(problem.adapt->origin.table,
+              "[adapt] refines quads, but face {} of {} has {} corners; [mesh] levels = 1 makes "
+              "quads",
+              f, mesh_path(problem).string(), t.face_size(FaceId(f)));
   Forest forest(start, scheme, {.levels = 0}, split_unit(problem),
                 scheme.interpolatory ? LimitsOf{} : forest_limits(scheme));
   return run_adaptively(problem, forest, {}, dofs_per_vertex, solve);

@@ -11,6 +11,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/mesh/defects.h"
+#include "limes/study/refine_control.h"
 #include "limes/study/shell_error.h"
 #include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
@@ -53,20 +54,19 @@ class Phases {
 
 void require_kept_faces(const Problem& problem, const Tags& tags) {
   if (tags.boundary == BoundaryRule::none)
-    throw InputError(
-        "{}:{}: [adapt] refines all faces, but {} has the boundary rule none, which drops those at "
+    fail_at(
+        problem.adapt->origin.table,
+        "[adapt] refines all faces, but {} has the boundary rule none, which drops those at "
         "the boundary; right is edges or edges-and-corners, 't interpolateboundary 1/0/0 2' or 1",
-        problem.file.string(), problem.adapt->line, mesh_path(problem).string());
+        mesh_path(problem).string());
 }
 
 void require_no_holes(const Problem& problem, const Tags& tags) {
   if (problem.adapt->closure == Closure::hanging && !tags.holes.empty())
-    throw InputError(
-        "{}:{}: [adapt] closure = \"hanging\" knows no hole faces, and face {} of {} is one; right "
-        "is "
-        "\"conforming\", or a mesh without them",
-        problem.file.string(), problem.adapt->line, tags.holes.front().value,
-        mesh_path(problem).string());
+    fail_at(problem.adapt->origin.of("closure"),
+            "[adapt] closure = \"hanging\" knows no hole faces, and face {} of {} is one; right is "
+            "\"conforming\", or a mesh without them",
+            tags.holes.front().value, mesh_path(problem).string());
 }
 
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
@@ -80,7 +80,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
   require_kept_faces(problem, file.mesh.tags);
   require_no_holes(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Mesh start = refine(file.mesh, scheme, {.levels = problem.mesh.levels});
+  Mesh start = refine_control(problem, file.mesh, {.levels = problem.mesh.levels});
   const Problem step = step_problem(problem);
   int number = 0;
   result.adaptive = run_adaptively(
