@@ -7,10 +7,12 @@
 
 #include "commands.h"
 #include "files.h"
+#include "forest_size.h"
 #include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
+#include "limes/io/io.h"
 #include "limes/limit/forest_limits.h"
 #include "limes/study/leaf_selection.h"
 #include "limes/study/surface_placement.h"
@@ -55,9 +57,10 @@ struct AdaptCommand {
   [[nodiscard]] Closure parse_closure() const;
   void require_bisection(const SchemeChoice& choice) const;
   [[nodiscard]] Grown grow(const Mesh& control, const SchemeChoice& choice, Closure kind,
-                           const ExactSurfaces* exact, int rounds) const;
-  void grow(const LocalRefinement& forest, int rounds, const SplitLeaves& split,
-            Grown& grown) const;
+                           const ExactSurfaces* exact, int rounds, const ForestSize& size) const;
+  void grow(const LocalRefinement& forest, int rounds, const ForestSize& size,
+            const SplitLeaves& split, Grown& grown) const;
+  void save(const ForestMesh& made) const;
 };
 
 Closure AdaptCommand::parse_closure() const {
@@ -133,14 +136,16 @@ std::vector<int> leaves_by_level(const LocalRefinement& forest) {
   return count;
 }
 
-void AdaptCommand::grow(const LocalRefinement& forest, int rounds, const SplitLeaves& split,
-                        Grown& grown) const {
+void AdaptCommand::grow(const LocalRefinement& forest, int rounds, const ForestSize& size,
+                        const SplitLeaves& split, Grown& grown) const {
   Progress progress(fmt::format("refining {}", mesh.file.string()), rounds);
   LeafSelection selection(forest, where);
+  if (selection.means_all()) size.require_all(rounds);
   for (; grown.rounds < rounds; ++grown.rounds) {
     check_interrupt();
     const std::vector<FaceId> marked = selection.leaves(forest);
     if (marked.empty()) break;
+    size.require_round(grown.rounds + 1, std::ssize(forest.leaves()), std::ssize(marked));
     split(marked);
     progress.advance();
   }
@@ -148,13 +153,27 @@ void AdaptCommand::grow(const LocalRefinement& forest, int rounds, const SplitLe
   grown.leaves_by_level = leaves_by_level(forest);
 }
 
+/// That no face has come to a point or line on its surface.
+void require_area(const ExactSurfaces& exact, const Forest& forest, const ForestMesh& made) {
+  const auto of_control = geometry_of_faces(exact.settings, forest.control());
+  const auto root = [&](FaceId f) {
+    return forest.ancestry(made.leaves[static_cast<std::size_t>(f.value)]).root.value;
+  };
+  std::vector<const GeometrySettings*> geometry;
+  for (int f = 0; f < made.mesh.topology.num_faces(); ++f)
+    geometry.push_back(of_control[static_cast<std::size_t>(root(FaceId(f)))]);
+  require_faces_with_area(made.mesh, geometry, [&](FaceId f) {
+    return fmt::format("face {} of the refined mesh, in face {},", f.value, root(f));
+  });
+}
+
 Grown AdaptCommand::grow(const Mesh& control, const SchemeChoice& choice, Closure kind,
-                         const ExactSurfaces* exact, int rounds) const {
+                         const ExactSurfaces* exact, int rounds, const ForestSize& size) const {
   Grown grown;
   if (bisect) {
     BisectionForest forest(control);
     grow(
-        forest, rounds, [&](const auto& marked) { forest.refine(marked); }, grown);
+        forest, rounds, size, [&](const auto& marked) { forest.refine(marked); }, grown);
     grown.made = forest_mesh(forest);
     return grown;
   }
@@ -169,8 +188,9 @@ Grown AdaptCommand::grow(const Mesh& control, const SchemeChoice& choice, Closur
     forest.refine(all_at_first && grown.rounds == 0 ? forest.leaves() : marked);
     if (exact) match_seams(forest, exact->seams);
   };
-  grow(forest, rounds, split, grown);
+  grow(forest, rounds, size, split, grown);
   grown.made = forest_mesh(forest, kind);
+  if (exact) require_area(*exact, forest, grown.made);
   return grown;
 }
 
@@ -187,6 +207,17 @@ void remark_on_ancestry(const std::filesystem::path& output) {
   if (extension != ".ply" && extension != ".vtu")
     remark(fmt::format("{}: keeps no root, level and path of the faces; .ply and .vtu do",
                        output.string()));
+}
+
+/// The mesh and, if asked for, its constraints: both or none.
+void AdaptCommand::save(const ForestMesh& made) const {
+  const Progress progress(fmt::format("writing {}", output.string()));
+  AtomicFiles files;
+  if (!constraints.empty()) files.add(constraints).write(to_csv(made.hanging));
+  const std::vector<std::string> lost = write_mesh(output, made.mesh, files);
+  files.commit();
+  for (const std::string& sentence : lost)
+    remark(sentence);
 }
 
 void AdaptCommand::operator()() const {
@@ -208,15 +239,15 @@ void AdaptCommand::operator()() const {
   }
   Mesh control = load_refinable_mesh(mesh);
   const auto exact = surfaces.empty() ? nullptr : place_on_surfaces(surfaces, control);
-  const Grown grown =
-      naming_file(mesh.file, [&] { return grow(control, choice, kind, exact.get(), rounds); });
+  const ForestSize size(control.topology, *choice.scheme, bisect, current.memory_limit());
+  const Grown grown = naming_file(
+      mesh.file, control, [&] { return grow(control, choice, kind, exact.get(), rounds, size); });
   if (grown.rounds < rounds)
     remark(fmt::format("{}: nothing was split from round {} on: no face is meant by {}",
                        mesh.file.string(), grown.rounds + 1, quote(where)));
   check_interrupt();
   const ForestMesh& made = grown.made;
-  if (!constraints.empty()) write_file(constraints, to_csv(made.hanging));
-  save_mesh(output, made.mesh);
+  save(made);
   remark_on_ancestry(output);
 
   const int vertices = made.mesh.topology.num_vertices();

@@ -28,7 +28,7 @@ struct CoarsenCommand {
 
 CoarsenResult coarsened(const Mesh& mesh, const CoarsenOptions& options, const std::string& file) {
   const Progress progress(fmt::format("coarsening {}", file));
-  return naming_file(file, [&] { return coarsen(mesh, options); });
+  return naming_file(file, mesh, [&] { return coarsen(mesh, options); });
 }
 
 void CoarsenCommand::operator()() const {

@@ -99,16 +99,17 @@ void RefineCommand::operator()() const {
                     .vtu = to_lower(output.extension().string()) == ".vtu",
                     .steps_per_level = choice.quasi.split == QuasiSplit::normal ? 2 : 1},
                    current.memory_limit(), mesh.file.string());
-  naming_file(mesh.file, [&] { remark_on_surface(coarse, choice, mesh.file.string()); });
+  naming_file(mesh.file, coarse, [&] { remark_on_surface(coarse, choice, mesh.file.string()); });
   Mesh fine;
   std::vector<std::string> remarks;
   {
     const Progress progress(fmt::format("refining {}", mesh.file.string()));
     const RefineOptions options = choice.options_for(coarse, num_levels);
     if (limit)
-      fine = naming_file(mesh.file, [&] { return limit_mesh(coarse, *choice.scheme, options); });
+      fine = naming_file(mesh.file, coarse,
+                         [&] { return limit_mesh(coarse, *choice.scheme, options); });
     else if (num_levels > 0)
-      fine = naming_file(mesh.file,
+      fine = naming_file(mesh.file, coarse,
                          [&] { return refine_by_scheme(coarse, choice, options, remarks); });
     else
       fine = std::move(coarse);

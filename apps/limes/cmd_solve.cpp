@@ -10,6 +10,7 @@
 #include "limes/core/error.h"
 #include "limes/study/run.h"
 #include "memory.h"
+#include "problem_size.h"
 #include "run.h"
 #include "terminal.h"
 
@@ -138,6 +139,16 @@ void require_passed(const std::filesystem::path& problem,
     throw SolverError("{}: a check of the solution failed: {}", problem.string(), failed);
 }
 
+/// Names the problem in what a numerical method says.
+template <class Work>
+auto naming_problem(const std::filesystem::path& problem, const Work& work) {
+  try {
+    return work();
+  } catch (const SolverError& error) {
+    throw SolverError("{}: {}", problem.string(), error.what());
+  }
+}
+
 /// The command without what only says where the results go and how the work is done.
 std::string SolveCommand::repeated() const {
   std::string text = "limes solve " + shell_word(problem.string());
@@ -183,7 +194,11 @@ void SolveCommand::operator()() const {
     progress.emplace(fmt::format("{}: {}", problem.string(), phase));
   };
   const auto solve_with = [&](const auto& solver) {
-    auto result = solver(settings, ModelOptions{.repair = repair}, on_phase);
+    const ModelOptions options{.repair = repair,
+                               .check_size = [&](const Problem& checked, const Mesh& control) {
+                                 require_feasible(checked, control, current.memory_limit());
+                               }};
+    auto result = naming_problem(problem, [&] { return solver(settings, options, on_phase); });
     progress.reset();
     hand_over(std::move(result), current);
   };

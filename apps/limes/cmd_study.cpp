@@ -11,6 +11,7 @@
 #include "limes/study/approximation_study.h"
 #include "limes/study/refinement_study.h"
 #include "memory.h"
+#include "problem_size.h"
 #include "run.h"
 #include "table.h"
 #include "terminal.h"
@@ -96,8 +97,14 @@ void StudyCommand::study_refinement(const toml::table& document) const {
   const Run current(run);
   const RefinementStudy plan = read_refinement_study(document, study);
   std::optional<Progress> progress;
-  const std::vector<RefinementCurve> curves = limes::run(
-      plan, [&](const std::string& name) { progress.emplace(fmt::format("solving {}", name)); });
+  const auto on_run = [&](const std::string& name) {
+    progress.emplace(fmt::format("solving {}", name));
+  };
+  const auto check_size = [&](const Problem& problem, const Mesh& control) {
+    require_feasible(problem, control, current.memory_limit());
+  };
+  const std::vector<RefinementCurve> curves =
+      limes::run(plan, on_run, {.repair = false, .check_size = check_size});
   progress.reset();
   if (!output.empty()) write_files(output, study_files(plan, curves));
   if (run.json) {

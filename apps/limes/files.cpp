@@ -1,6 +1,8 @@
 #include "files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -66,9 +68,18 @@ void check_output(const fs::path& file, const RunOptions& run,
 }
 
 void check_output_folder(const fs::path& folder) {
+  if (folder.empty()) return;
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
     throw OutputError("{}: cannot be written: it is a file; a folder is right", folder.string());
+  fs::path there = fs::absolute(folder);  // the part of the path that exists
+  while (!fs::exists(there, ignored) && there.has_relative_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, ignored))
+    throw OutputError("{}: cannot be made: {} is a file", folder.string(), there.string());
+  if (faccessat(AT_FDCWD, there.string().c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    throw OutputError("{}: cannot be written: {}", folder.string(),
+                      std::generic_category().message(errno));
 }
 
 void check_mesh_output(const fs::path& file, const RunOptions& run) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "limes/core/error.h"
+#include "limes/mesh/face_error.h"
+#include "limes/study/place.h"
 #include "options.h"
 
 namespace limes::app {
@@ -28,7 +30,7 @@ void check_output(const std::filesystem::path& file, const RunOptions& run,
                   std::string_view option = "--output");
 /// The same for a file that holds a mesh.
 void check_mesh_output(const std::filesystem::path& file, const RunOptions& run);
-/// The same for a folder, which is made if it does not exist.
+/// The same for a folder, which is made later if it does not exist; empty: there is none.
 void check_output_folder(const std::filesystem::path& folder);
 
 /// Does work on a mesh that came from a file, and names the file in what is wrong with the mesh.
@@ -36,8 +38,22 @@ template <class Work>
 auto naming_file(const std::filesystem::path& file, const Work& work) {
   try {
     return work();
+  } catch (const PlacedError&) {
+    throw;
+  } catch (const FaceError&) {
+    throw;
   } catch (const InputError& error) {
     throw InputError("{}: {}", file.string(), error.what());
+  }
+}
+
+/// The same, naming also the line of the face that is wrong.
+template <class Work>
+auto naming_file(const std::filesystem::path& file, const Mesh& mesh, const Work& work) {
+  try {
+    return naming_file(file, work);
+  } catch (const FaceError& error) {
+    throw InputError("{}: {}", place_of(mesh, error.face(), file.string()), error.what());
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "commands.h"
+#include "exit_code.h"
 #include "help.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
@@ -18,15 +19,7 @@ namespace {
 
 using namespace limes;
 
-enum ExitCode {
-  done = 0,
-  internal_error = 1,
-  wrong_usage = 2,
-  bad_input = 3,
-  not_converged = 4,
-  cannot_write = 5,
-  interrupted = 130
-};
+using namespace limes::app;
 
 extern "C" void on_signal(int) {
   request_interrupt();
@@ -86,8 +79,8 @@ int main(int argc, char** argv) {
   } catch (const OutputError& error) {
     return fail(cannot_write, error.what());
   } catch (const Interrupted& error) {
-    if (app::memory_limit_exceeded())
-      return fail(bad_input, "stopped at the memory limit; raise --memory-limit or work on less");
+    if (const std::string stopped = app::memory_limit_message(); !stopped.empty())
+      return fail(bad_input, stopped);
     return fail(interrupted, error.what());
   } catch (const std::bad_alloc&) {
     return fail(bad_input,

@@ -2,17 +2,22 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 
+#include "exit_code.h"
+#include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
+#include "terminal.h"
 
 namespace limes::app {
 namespace {
@@ -46,6 +51,13 @@ std::int64_t free_in_control_group() {
   if (limit == unknown || used == unknown) return unknown;
   const std::int64_t files = read_entry("/sys/fs/cgroup/memory.stat", "inactive_file", 1);
   return std::max<std::int64_t>(limit - used + (files == unknown ? 0 : files), 0);
+}
+
+/// The second number of statm, in pages.
+std::int64_t used_memory() {
+  std::ifstream file("/proc/self/statm");
+  std::int64_t size = 0, resident = 0;
+  return file >> size >> resident ? resident * sysconf(_SC_PAGESIZE) : unknown;
 }
 
 }  // namespace
@@ -92,11 +104,23 @@ std::string format_size(double bytes) {
 }
 
 namespace {
-std::atomic<bool> limit_exceeded{false};
+
+std::atomic<std::int64_t> exceeded_limit{0};
+
+[[noreturn]] void end_process() {
+  abandon_files();
+  wipe_progress();
+  remark("limes: " + memory_limit_message());
+  std::_Exit(bad_input);
+}
+
 }  // namespace
 
-bool memory_limit_exceeded() {
-  return limit_exceeded.load();
+std::string memory_limit_message() {
+  const std::int64_t limit = exceeded_limit.load();
+  if (limit == 0) return {};
+  return fmt::format("stopped at the memory limit of {}; raise --memory-limit or work on less",
+                     format_size(static_cast<double>(limit)));
 }
 
 MemoryWatch::MemoryWatch(std::int64_t limit) : thread_([this, limit] { watch(limit); }) {}
@@ -111,14 +135,17 @@ MemoryWatch::~MemoryWatch() {
 }
 
 void MemoryWatch::watch(std::int64_t limit) {
-  constexpr std::chrono::milliseconds period(20);
+  constexpr std::chrono::milliseconds period(2);
+  // What is taken between two looks, or while the work unwinds, still fits below the limit.
+  constexpr std::int64_t most_left = std::int64_t{64} << 20U;
+  const std::int64_t left = std::min(limit / 16, most_left);
   std::unique_lock lock(mutex_);
   while (!stop_.wait_for(lock, period, [this] { return stopped_; })) {
-    const std::int64_t used = read_entry("/proc/self/status", "VmRSS:", kilobyte);
-    if (used == unknown || used <= limit) continue;
-    limit_exceeded.store(true);
+    const std::int64_t used = used_memory();
+    if (used == unknown || used <= limit - left) continue;
+    exceeded_limit.store(limit);
     request_interrupt();
-    return;
+    if (used > limit - left / 2) end_process();
   }
 }
 

@@ -21,9 +21,11 @@ namespace limes::app {
 /// "1.4 GiB"
 [[nodiscard]] std::string format_size(double bytes);
 
-/// Stops the work, as an interrupt does, once the process has more memory than it may. (A limit of
-/// the system would not do: libraries reserve buffers that they never touch, and some of them wait
-/// forever when they get none.)
+/// Stops the work, as an interrupt does, when a sixteenth of the memory that the process may have is left
+/// (at most 64 MiB), and ends the process with its message when half of that is left, because libraries
+/// that solve and sort do not listen. (A
+/// limit of the system would not do: libraries reserve buffers that they never touch, and some of them
+/// wait forever when they get none.)
 class MemoryWatch {
  public:
   explicit MemoryWatch(std::int64_t limit);
@@ -39,7 +41,7 @@ class MemoryWatch {
   bool stopped_ = false;
   std::thread thread_;
 };
-/// Whether a watch has stopped the work.
-[[nodiscard]] bool memory_limit_exceeded();
+/// The message if a watch has stopped the work, else empty.
+[[nodiscard]] std::string memory_limit_message();
 
 }  // namespace limes::app

@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "files.h"
 #include "limes/core/error.h"
 #include "limes/subdiv/drop_faces.h"
+#include "limes/subdiv/refinement_step.h"
 
 namespace limes::app {
 namespace {
@@ -14,9 +16,10 @@ Features features_of(const Mesh& mesh, const SchemeChoice& choice) {
   return features;
 }
 
-const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
+const Scheme& require_limit(const Scheme& scheme, const Mesh& mesh, std::string_view file) {
   if (!has_exact_limit(scheme))
     throw InputError("{}: the limit surface of {} cannot be evaluated exactly", file, scheme.name);
+  naming_file(file, mesh, [&] { require_faces(mesh.topology, scheme); });
   return scheme;
 }
 
@@ -25,7 +28,8 @@ const Scheme& require_limit(const Scheme& scheme, std::string_view file) {
 MeshSurface::MeshSurface(Mesh mesh, const SchemeChoice& choice, std::string_view file)
     : file_(file),
       mesh_(std::move(mesh)),
-      basis_(mesh_.topology, features_of(mesh_, choice), require_limit(*choice.scheme, file)),
+      basis_(mesh_.topology, features_of(mesh_, choice),
+             require_limit(*choice.scheme, mesh_, file)),
       surface_(basis_, mesh_.points.span()) {
   if (choice.boundary_for(mesh_) == BoundaryRule::none)
     dropped_ = unsupported_faces(basis_.adjacency(), mesh_.tags);

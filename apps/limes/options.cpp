@@ -265,8 +265,13 @@ double parse_any_tension(const Scheme& scheme, const std::string& text) {
 int parse_whole_number(const char* option, const std::string& text, int least) {
   const auto number = parse_integer(text);
   constexpr int most = std::numeric_limits<int>::max();
+  const bool has_sign = text.starts_with('-') || text.starts_with('+');
+  const std::string digits = text.substr(has_sign ? 1 : 0);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos)
+    throw UsageError("{}: {} is no whole number; {}, {} and so on are", option, quote(text), least,
+                     least + 1);
   if (!number || *number < least || *number > most)
-    throw UsageError("{}: {} is no whole number from {} to {}", option, quote(text), least, most);
+    throw UsageError("{}: {} is out of range; {} to {} is right", option, quote(text), least, most);
   return static_cast<int>(*number);
 }
 

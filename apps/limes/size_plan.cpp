@@ -74,19 +74,17 @@ double bytes_needed(const MeshSize& size, const Scheme& scheme, const Refinement
          static_cast<double>(size.vertices) * bytes_per_vertex;
 }
 
-/// Why a mesh of this size cannot be made; empty if it can.
-std::string obstacle(const MeshSize& size, const Scheme& scheme, const RefinementExtras& extras,
+}  // namespace
+
+std::string obstacle(std::int64_t corners, std::int64_t vertices, double bytes,
                      std::int64_t memory_limit) {
   constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-  if (size.corners > most || size.vertices > most)
+  if (corners > most || vertices > most)
     return fmt::format("at most {} faces can be numbered", most / 4);
-  const double bytes = bytes_needed(size, scheme, extras);
   if (bytes <= static_cast<double>(memory_limit)) return {};
   return fmt::format("that takes about {} of memory, {} may be used", format_size(bytes),
                      format_size(static_cast<double>(memory_limit)));
 }
-
-}  // namespace
 
 void require_feasible(const Topology& topology, const Scheme& scheme, int levels,
                       const RefinementExtras& extras, std::int64_t memory_limit,
@@ -95,7 +93,8 @@ void require_feasible(const Topology& topology, const Scheme& scheme, int levels
   for (int level = 1; level <= levels; ++level) {
     for (int step = 0; step < extras.steps_per_level; ++step)
       size = refined_size(size, scheme, (level - 1) * extras.steps_per_level + step);
-    const std::string reason = obstacle(size, scheme, extras, memory_limit);
+    const std::string reason =
+        obstacle(size.corners, size.vertices, bytes_needed(size, scheme, extras), memory_limit);
     if (reason.empty()) continue;
     throw InputError("{}: level {} would have {} faces: {}; --levels {} is possible", file, level,
                      size.faces, reason, level - 1);

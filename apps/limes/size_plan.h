@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "limes/mesh/topology.h"
@@ -16,6 +17,12 @@ struct MeshSize {
 /// After one step of a scheme.
 /// @param level  steps made before
 [[nodiscard]] MeshSize refined_size(const MeshSize& size, const Scheme& scheme, int level);
+
+/// Why work of this size cannot be done: more things than can be numbered, or more memory than it may
+/// use; empty if it can.
+/// @param corners,vertices  of all meshes that it holds numbered together
+[[nodiscard]] std::string obstacle(std::int64_t corners, std::int64_t vertices, double bytes,
+                                   std::int64_t memory_limit);
 
 /// What a refinement does besides the steps themselves.
 struct RefinementExtras {

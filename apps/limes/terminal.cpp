@@ -25,6 +25,10 @@ void remark(std::string_view text) {
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
+void wipe_progress() {
+  if (isatty(STDERR_FILENO) == 1) std::fputs("\r\033[K", stderr);
+}
+
 std::string one_line(std::string_view text) {
   std::string line(text);
   for (char& c : line)
@@ -41,7 +45,7 @@ Progress::Progress(std::string_view what, std::int64_t total)
 }
 
 Progress::~Progress() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) wipe_progress();
 }
 
 void Progress::advance(std::int64_t steps) {

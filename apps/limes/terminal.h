@@ -16,6 +16,9 @@ void print_object(const nlohmann::ordered_json& object);
 /// Remarks go to standard error, one line each.
 void remark(std::string_view text);
 
+/// Wipes the line of a Progress, for whoever ends the process without its destructor.
+void wipe_progress();
+
 /// A message as one line: what a file or an argument smuggled in cannot break it.
 [[nodiscard]] std::string one_line(std::string_view text);
 

@@ -144,7 +144,7 @@ TEST(AdaptSurfaces, RefusesWhatDoesNotFit) {
   refused("[geometry\n", 3, "s.toml:1: ");
   refused("[[seam]]\nparts = [\"a\", \"b\"]\n", 3, "s.toml: [geometry] is missing");
   refused("[geometry]\npart = \"lid\"\nkind = \"sphere\"\nradius = 1\n", 3,
-          "s.toml:1: there is no part 'lid'; known are cube");
+          "s.toml:2: there is no part 'lid'; known are cube");
   refused("[geometry]\nkind = \"sphere\"\nradius = 1\npoint = [1, 1, 1]\n", 3,
           "s.toml:1: a vertex at (1, 1, 1) is on the axis or at the centre of [geometry]");
   refused("[geometry]\nkind = \"sphere\"\nradius = 1\n[[curve]]\nwhere = \"all\"\nzero = \"x\"\n",
@@ -156,12 +156,36 @@ TEST(AdaptSurfaces, RefusesWhatDoesNotFit) {
                                             "axis = [0, 0, 1]\n"),
                                  out, "all", "1")),
                  3,
-                 "s.toml:1: every part needs a [geometry] to place vertices on; face 0 has none");
+                 "s.toml:2: every part needs a [geometry] to place vertices on; face 0 has none");
   expect_failure(run_limes(adapt(cube, files / "none.toml", out, "all", "1")), 3, "none.toml");
   auto arguments = adapt(cube, files.file("s.toml", "[geometry]\nkind = \"sphere\"\nradius = 1\n"),
                          out, "all", "1");
   arguments[5] = "kobbelt";
   expect_failure(run_limes(arguments), 2, "--surfaces: vertices start halfway between others");
+  EXPECT_TRUE(folder.list().empty());
+}
+
+/// The file that is wrong comes first in the message.
+TEST(AdaptSurfaces, RefusesPlacementsWithoutArea) {
+  const TempFolder folder, files;
+  std::string mesh = data_file("cube.obj");
+  const auto refused = [&](const std::string& text, const std::string& where,
+                           const std::string& message) {
+    const std::string surfaces = files.file("s.toml", text);
+    const Result result = run_limes(adapt(mesh, surfaces, folder / "x.ply", where, "3"));
+    expect_failure(result, 3, message);
+    EXPECT_EQ(result.err.find("limes: " + surfaces + ":1: "), 0U) << result.err;
+  };
+  refused(
+      "[geometry]\nkind = \"cone\"\nangle = 30\npoint = [0, 0, 9]\n", "all",
+      "face 0 has no area on this surface: its vertices come to one point or line at (0, 0, 9)");
+  refused("[geometry]\nkind = \"sphere\"\nradius = 1\npoint = [1e20, 0, 0]\n", "all",
+          "face 0 has no area on this surface");
+  refused("[geometry]\nkind = \"plane\"\naxis = [1, 0, 0]\n", "all", "has no area on this surface");
+  // Only a vertex of the refinement has no place, in the middle of a face.
+  mesh = files.file("quad.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+  refused("[geometry]\nkind = \"graph\"\nheight = \"1 / (abs(x) + abs(y)) - 0.5\"\n", "all",
+          "has no finite value at (0, 0)");
   EXPECT_TRUE(folder.list().empty());
 }
 

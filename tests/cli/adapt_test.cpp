@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -155,15 +156,15 @@ TEST(Adapt, RefusesWhatItCannotTake) {
   const TempFolder folder;
   const std::string out = folder / "x.ply";
   expect_failure(run_limes(adapt("rook.obj", out, "catmull-clark", "x > 0", "2")), 3,
-                 "rook.obj: face 640 has 3 corners; local refinement needs quads");
+                 "rook.obj:1418: face 640 has 3 corners; local refinement needs quads");
   expect_failure(run_limes(adapt("cube.obj", out, "loop", "x > 0", "2")), 3,
-                 "cube.obj: face 0 has 4 corners; local refinement by loop needs triangles");
+                 "cube.obj:11: face 0 has 4 corners; local refinement by loop needs triangles");
   expect_failure(
       run_limes(adapt("rook.obj", out, "linear", "x > 0", "2")), 3,
-      "rook.obj: face 640 has 3 corners; local refinement needs quads, which one step of "
+      "rook.obj:1418: face 640 has 3 corners; local refinement needs quads, which one step of "
       "refine makes, or triangles only");
   expect_failure(run_limes(adapt("gallery/torus.obj", out, "kobbelt", "x > 0", "2")), 3,
-                 "torus.obj: face 0 has 3 corners");
+                 "face 0 has 3 corners");
   expect_failure(run_limes(adapt("cube.obj", out, "four-eight", "x > 0", "2")), 2,
                  "--scheme linear --bisect splits the same way");
   expect_failure(run_limes(adapt("gallery/torus.obj", out, "sqrt3", "x > 0", "2")), 2,
@@ -183,10 +184,47 @@ TEST(Adapt, RefusesWhatItCannotTake) {
   expect_failure(with({"--boundary", "biermann"}), 2, "--boundary");
   expect_failure(with({"--closure", "none"}), 2, "known are conforming, triangles, hanging");
   expect_failure(with({"--constraints", folder / "c.csv"}), 2, "--constraints");
-  auto large = adapt("torus.obj", out, "kobbelt", "x > 0", "9");
-  large.insert(large.end(), {"--memory-limit", "100M"});
-  expect_failure(run_limes(large), 3, "memory limit");
   EXPECT_TRUE(folder.list().empty());
+}
+
+TEST(Adapt, RefusesARoundThatDoesNotFit) {
+  const TempFolder folder;
+  const auto refused = [&](const std::string& where, const char* scheme,
+                           const std::vector<std::string>& more, const std::string& reason) {
+    auto arguments = adapt("torus.obj", folder / "x.ply", scheme, where, "26");
+    arguments.insert(arguments.end(), {"--memory-limit", "100M"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Result result = run_limes(arguments);
+    expect_failure(result, 3, data_file("torus.obj") + ": round " + reason);
+    return result.peak_memory;
+  };
+  const std::int64_t idle = run_limes({"schemes"}).peak_memory;
+  // 48 faces; all at once is refused before the first split.
+  EXPECT_LT(refused("all", "kobbelt", {}, "7 would have 786432 faces or more: that takes about "),
+            idle + (15 << 20));
+  EXPECT_LT(refused("all", "linear", {"--bisect"}, "13 would have 786432 faces or more"),
+            idle + (15 << 20));
+  refused("x < 1e9", "linear", {}, "7 would have 786432 faces or more");
+  refused("x > 0", "catmull-clark", {"--closure", "triangles"}, "");
+  EXPECT_TRUE(folder.list().empty());
+}
+
+/// The table of hanging vertices fits where the mesh does not: neither appears.
+TEST(Adapt, WritesMeshAndConstraintsOrNeither) {
+  const TempFolder folder;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{4096, before.rlim_max};
+  auto arguments = adapt("cube.obj", folder / "x.obj", "linear", "x == 1", "4");
+  arguments.insert(arguments.end(), {"--closure", "hanging", "--constraints", folder / "x.csv"});
+  setrlimit(RLIMIT_FSIZE, &small);  // the program inherits it
+  const Result result = run_limes(arguments);
+  setrlimit(RLIMIT_FSIZE, &before);
+  expect_failure(result, 5, "x.obj: cannot be written: File too large");
+  EXPECT_TRUE(folder.list().empty());
+  ASSERT_EQ(run_limes(arguments).exit_code, 0);
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{"x.csv", "x.obj"}));
+  EXPECT_LT(read_file(folder / "x.csv").size(), 4096U);
 }
 
 TEST(Adapt, RefusesARuleOfTheFileThatDropsFaces) {

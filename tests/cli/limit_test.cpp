@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -179,8 +180,11 @@ TEST(Limit, SameBytesForAnyNumberOfThreads) {
 TEST(Limit, StopsAtTheMemoryLimit) {
   // How many cells there will be is not known beforehand: hundreds of megabytes for this mesh.
   const TempFolder folder;
-  expect_failure(limit(data_file("pawn.obj"), folder / "x.vtu", {"--memory-limit", "40M"}), 3,
-                 "stopped at the memory limit");
+  const Result result = limit(data_file("pawn.obj"), folder / "x.vtu", {"--memory-limit", "40M"});
+  expect_failure(result, 3,
+                 "stopped at the memory limit of 40.0 MiB; raise --memory-limit or work on less");
+  EXPECT_LT(result.peak_memory,
+            std::max(run_limes({"schemes"}).peak_memory, std::int64_t{40} << 20) + (8 << 20));
   EXPECT_TRUE(folder.list().empty());
 }
 

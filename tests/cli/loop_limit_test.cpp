@@ -136,7 +136,8 @@ kind = "plane-stress"
 where = "x < 0"
 fix = ["ux", "uy"]
 )");
-  expect_failure(run_limes({"solve", problem}), 3, "triangles of loop");
+  expect_failure(run_limes({"solve", problem}), 3,
+                 problem + ":3: there are no plane elements of the scheme \"loop\"");
 }
 
 TEST(LoopRefine, MovesVerticesToTheirLimits) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,9 +66,10 @@ Result run_limes(const std::vector<std::string>& arguments, std::chrono::millise
   }
   if (signal_after.count() > 0) send(child, signal, signal_after);
   int status = 0;
-  waitpid(child, &status, 0);
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return {code, read_file(out), read_file(err)};
+  return {code, read_file(out), read_file(err), std::int64_t{usage.ru_maxrss} * 1024};
 }
 
 TempFolder::TempFolder() {

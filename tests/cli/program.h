@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace limes::test {
 struct Result {
   int exit_code = -1;  ///< -signal if a signal ended it
   std::string out, err;
+  std::int64_t peak_memory = 0;  ///< in bytes
 };
 
 /// Runs the program limes.

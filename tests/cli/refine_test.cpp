@@ -188,6 +188,20 @@ TEST(Refine, BadInputIsNamedWithItsLine) {
   EXPECT_EQ(folder.list(), (std::vector<std::string>{"broken.obj", "fan.obj"}));
 }
 
+TEST(Refine, FacesAreNamedWithTheirLines) {
+  const TempFolder folder;
+  const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\nf 1 2 3 4\n";
+  const std::string mesh = folder.file("quad.obj", quad);
+  expect_failure(
+      run_limes({"refine", mesh, "-o", folder / "x.obj", "--scheme", "loop", "--levels", "1"}), 3,
+      mesh + ":6: face 0 has 4 corners; loop takes faces with 3 only");
+  expect_failure(run_limes({"limit", mesh, "-o", folder / "x.vtu", "--scheme", "loop"}), 3,
+                 mesh + ":6: face 0 has 4 corners; loop takes faces with 3 only");
+  const std::string twice = folder.file("twice.obj", quad + "# again\nf 2 3 4 1\n");
+  expect_failure(refine(twice, folder / "x.obj", 1), 3,
+                 twice + ":8: face 1 repeats face 0 (line 6); --repair leaves one of them out");
+}
+
 TEST(Refine, RepairMendsWhatItCanAndSaysSo) {
   const TempFolder folder;
   const std::string twice =

@@ -362,12 +362,84 @@ TEST_F(Solve, FailsWithTheRightCode) {
   expect_failure(run_limes({"solve", problem, "--set", "mesh.level=2"}), 2, "mesh.level");
   expect_failure(run_limes({"solve", folder / "none.toml"}), 3, "none.toml");
   expect_failure(run_limes({"solve", problem, "--set", "mesh.file=none.obj"}), 3, "none.obj");
-  expect_failure(run_limes({"solve", problem, "--set", "support.0.fix=[\"uy\"]"}), 3,
+  expect_failure(run_limes({"solve", problem, "--set", "support.0.fix=[\"uy\"]"}), 2,
                  "can still move along x");
-  expect_failure(run_limes({"solve", problem, "--set", "load.0.where=x == 9"}), 3, "x == 9");
-  expect_failure(run_limes({"solve", problem, "--set", "support.0.fix=[\"uz\"]"}), 3, "uz");
+  expect_failure(run_limes({"solve", problem, "--set", "load.0.where=x == 9"}), 2,
+                 "--set load.0.where: where = 'x == 9' selects no vertex");
+  expect_failure(run_limes({"solve", problem, "--set", "support.0.fix=[\"uz\"]"}), 2,
+                 "--set support.0.fix: plane models have no uz");
+  expect_failure(run_limes({"solve", problem, "--set", "material.thickness=1e308"}), 4,
+                 problem + ": the stiffness matrix is not finite; check the units");
+  expect_failure(run_limes({"solve", problem, "--set", "load.0.force_per_length=[1e308, 0]"}), 4,
+                 problem + ": the solution of the linear system");
   const std::string blocked = folder.file("blocked", "a file, no folder");
-  expect_failure(run_limes({"solve", problem, "-o", blocked + "/out"}), 5, "cannot be made");
+  // Known before anything is read.
+  expect_failure(run_limes({"solve", folder / "none.toml", "-o", blocked + "/out"}), 5,
+                 "out: cannot be made: " + blocked + " is a file");
+  expect_failure(run_limes({"solve", problem, "--set", "mesh.scheme=loop"}), 2,
+                 "--set mesh.scheme: there are no plane elements of the scheme \"loop\"");
+}
+
+// Whatever finds that a value does not fit, and wherever its table is.
+TEST_F(Solve, BlamesOverridesForWhatIsFoundLater) {
+  const auto refused = [&](const std::string& file, const std::string& change,
+                           const std::string& message) {
+    const Result result = run_limes({"solve", file, "--set", change});
+    expect_failure(result, 2, message);
+    EXPECT_EQ(result.err.find("limes: --set "), 0U) << result.err;
+  };
+  refused(problem, "model.kind=poisson",
+          "--set model.kind, " + problem + ":5: [material] young is no key of kind = \"poisson\"");
+  refused(problem, "load.0.force_per_length=[0, 0, 1]",
+          "--set load.0.force_per_length: plane models carry no load in z");
+  refused(problem, "load.0.force_per_length.0=1 / (x - 2)",
+          "--set load.0.force_per_length.0: '1 / (x - 2)' has no finite value at (2, ");
+  refused(problem, "adapt.max_steps=3",
+          "--set adapt.max_steps: [adapt] works on bilinear elements");
+  refused(problem, "mesh.levels=4.0",
+          "--set mesh.levels: [mesh] levels is 4.0; it must be an integer from 0 to 12");
+  refused(data_file("i_beam.toml"), "mesh.scheme=loop",
+          "--set mesh.scheme: scheme \"loop\" gives no quads");
+  refused(data_file("i_beam.toml"), "support.0.where=x == 0 and y > 9",
+          "--set support.0.where: where = 'x == 0 and y > 9' selects no vertex");
+}
+
+/// The cylinder of the roof made a cone that lies behind its apex.
+TEST_F(Solve, RefusesPlacementsWithoutArea) {
+  std::string roof = read_file(data_file("roof.toml"));
+  const std::size_t begin = roof.find("kind = \"cylinder\""), end = roof.find("\n\n", begin);
+  ASSERT_NE(begin, std::string::npos);
+  roof.replace(begin, end - begin,
+               "kind = \"cone\"\nangle = 10\npoint = [1, 2, 999]\naxis = [0, 0, 1]");
+  (void)folder.file("roof.obj", read_file(data_file("roof.obj")));
+  expect_failure(run_limes({"solve", folder.file("roof.toml", roof)}), 3,
+                 "roof.obj has no area on this surface: its vertices come to one point or line");
+}
+
+TEST_F(Solve, RefusesWhatCannotFitBeforeItStarts) {
+  const std::string out = folder / "out";
+  const std::int64_t idle = run_limes({"schemes"}).peak_memory;
+  const auto refused = [&](const std::string& file, const std::vector<std::string>& more,
+                           const std::string& message) {
+    std::vector<std::string> arguments{"solve", file, "-o", out, "--memory-limit", "500M"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Result result = run_limes(arguments);
+    expect_failure(result, 3, message);
+    EXPECT_LT(result.peak_memory, idle + (30 << 20));
+  };
+  // 120 faces; the mesh of level 3 has 7680.
+  refused(data_file("i_beam.toml"), {"--set", "mesh.levels=12"},
+          "--set mesh.levels: level 4 would have 30720 elements and about 162105 unknowns");
+  refused(data_file("i_beam.toml"), {"--set", "mesh.levels=12"},
+          "500 MiB may be used; [mesh] levels = 3 is possible");
+  std::string fine = pulled;
+  fine.replace(fine.find("levels = 1"), 10, "levels = 12");
+  const std::string file = folder.file("fine.toml", fine);
+  refused(file, {}, file + ":3: level 7 would have 32768 elements");
+  refused(data_file("l_shape.toml"),
+          {"--set", "adapt.reference_levels=4", "--set", "mesh.levels=6"},
+          "--set adapt.reference_levels: level ");
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 // Five quads around a vertex: with no rings of tiles there the area is off by 3e-4.

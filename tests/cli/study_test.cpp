@@ -50,6 +50,17 @@ TEST(Study, FailsBeforeItSolves) {
   const std::string study = folder.file("two.toml", two_strategies());
   const std::string file = folder.file("a-file", "");
   expect_failure(run_limes({"study", study, "-o", file}), 5, "it is a file; a folder is right");
+  std::string large = two_strategies();
+  large.replace(large.find("[2, 3]"), 6, "[2, 12]");
+  const std::string too_fine = folder.file("large.toml", large);
+  expect_failure(
+      run_limes({"study", too_fine, "--memory-limit", "1G"}), 3,
+      too_fine + ":6: strategy 'uniform, plain': --set mesh.levels: level 8 would have ");
+  std::string nowhere = two_strategies();
+  nowhere.replace(nowhere.find("\"mesh.levels=2\""), 15, "\"load.0.where=x > 1e9\"");
+  const std::string missed = folder.file("missed.toml", nowhere);
+  expect_failure(run_limes({"study", missed}), 3,
+                 missed + ":9: strategy 'adaptive': --set load.0.where: where = 'x > 1e9' selects");
   expect_failure(run_limes({"study", data_file("roof.toml")}), 3,
                  "[approximation] or [refinement]");
 }

@@ -48,6 +48,10 @@ TEST(Usage, ChecksEveryValue) {
   expect_failure(refine("catmul", "1"), 2, "there is no scheme 'catmul'; known are catmull-clark");
   for (const char* levels : {"-1", "x", "1.5", "", "99999999999", "0x2"})
     expect_failure(refine("linear", levels), 2, "--levels");
+  expect_failure(refine("linear", "abc"), 2,
+                 "--levels: 'abc' is no whole number; 0, 1 and so on are");
+  expect_failure(refine("linear", "99999999999999999999"), 2,
+                 "--levels: '99999999999999999999' is out of range; 0 to 2147483647 is right");
   for (const char* threads : {"0", "-2", "two"})
     expect_failure(refine("linear", "1", {"--threads", threads}), 2, "--threads");
   for (const char* size : {"0", "lots", "5X", "-1G", "G"})

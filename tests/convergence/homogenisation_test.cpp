@@ -23,10 +23,10 @@ Problem cell_problem(const Published& p) {
   Problem problem;
   problem.file = "cell.toml";
   problem.mesh.file = "cell.obj";
-  problem.materials.push_back({.where = {}, .young = 1, .poisson = .3, .thickness = 1, .line = 1});
+  problem.materials.push_back({.where = {}, .young = 1, .poisson = .3, .thickness = 1});
   if (p.disc)
     problem.materials.push_back(
-        {.where = "group:disc", .young = p.contrast, .poisson = .3, .thickness = 1, .line = 2});
+        {.where = "group:disc", .young = p.contrast, .poisson = .3, .thickness = 1});
   problem.model.kind = p.kind;
   problem.periodic = PeriodicSettings{};
   problem.periodic->gradient << 1, .05, .05, 1;

@@ -100,7 +100,7 @@ TEST(Junctions, OfOneEdgeInsideAPlateAreRefused) {
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "the edge of vertices 5 and 6 (counted from 0) has 3 faces, and both ends lie inside "
+              "the edge of vertices 5 and 6 has 3 faces, and both ends lie inside "
               "a piece, which cannot be cut along one edge; split the edge once");
   }
 }

@@ -30,8 +30,10 @@ TEST(Overrides, ChangeAndAddValues) {
   EXPECT_EQ(p.periodic->gradient(1, 0), 0.5);
   EXPECT_EQ(p.probes[0].at, Vec3(1, -7, 0));
   EXPECT_EQ(p.supports[0].where, "x == 1");
-  EXPECT_EQ(p.supports[0].where_line, 0);
-  EXPECT_EQ(p.supports[0].line, 33);
+  EXPECT_EQ(p.supports[0].origin.of("where").line, 0);
+  EXPECT_EQ(p.supports[0].origin.table.line, 33);
+  EXPECT_EQ(p.supports[0].origin.of("where").text, "--set support.0.where");
+  EXPECT_EQ(place_of_value(p.loads[1]).text, "--set load.1.force_per_length.1") << "one entry";
   EXPECT_EQ(p.supports[1].fix, (std::array{true, false, false, false, false, false}));
   EXPECT_EQ(p.loads[0].value[2](Vec3::Zero()), -1);
   EXPECT_EQ(p.loads[4].value[0](Vec3(2, 0, 0)), 6);
@@ -58,7 +60,7 @@ TEST(Overrides, AddATable) {
   const Problem p = parse(Draft().text(), {"periodic.gradient=[[1, 0.1], [0, 1]]"});
   ASSERT_TRUE(p.periodic);
   EXPECT_EQ(p.periodic->gradient(0, 1), 0.1);
-  EXPECT_EQ(p.periodic->line, 0);
+  EXPECT_EQ(p.periodic->origin.table.line, 0);
 }
 
 TEST(Overrides, BareStringsMayHoldAnything) {

@@ -25,40 +25,40 @@ TEST(Problem, ReadsEverything) {
   EXPECT_EQ(p.mesh.file, "plate.obj");
   EXPECT_EQ(p.mesh.scheme, "linear");
   EXPECT_EQ(p.mesh.levels, 2);
-  EXPECT_EQ(p.mesh.line, 7);
+  EXPECT_EQ(p.mesh.origin.table.line, 7);
 
   EXPECT_EQ(p.model.kind, ModelKind::plane_strain);
   EXPECT_EQ(p.model.boundary, FieldBoundary::phantom);
   EXPECT_FALSE(p.model.kinks);
   EXPECT_EQ(p.model.quadrature_points, 4);
   EXPECT_EQ(p.model.quadrature_depth, 6);
-  EXPECT_EQ(p.model.line, 13);
+  EXPECT_EQ(p.model.origin.table.line, 13);
 
   ASSERT_EQ(p.materials.size(), 2U);
   EXPECT_FALSE(p.materials[0].where);
   EXPECT_EQ(p.materials[0].young, 70e3);
   EXPECT_EQ(p.materials[0].poisson, 0.33);
   EXPECT_EQ(p.materials[0].thickness, 1);
-  EXPECT_EQ(p.materials[0].line, 20);
+  EXPECT_EQ(p.materials[0].origin.table.line, 20);
   EXPECT_EQ(p.materials[1].where, "group:stiff");
   EXPECT_EQ(p.materials[1].young, 210000);
   EXPECT_EQ(p.materials[1].poisson, 0);
   EXPECT_EQ(p.materials[1].thickness, 2.5);
-  EXPECT_EQ(p.materials[1].line, 24);
-  EXPECT_EQ(p.materials[1].where_line, 25);
+  EXPECT_EQ(p.materials[1].origin.table.line, 24);
+  EXPECT_EQ(p.materials[1].origin.of("where").line, 25);
 
   ASSERT_TRUE(p.periodic);
   EXPECT_EQ(p.periodic->gradient(0, 0), 1);
   EXPECT_EQ(p.periodic->gradient(0, 1), 0.05);
   EXPECT_EQ(p.periodic->gradient(1, 0), 0.05);
   EXPECT_EQ(p.periodic->gradient(1, 1), 1);
-  EXPECT_EQ(p.periodic->line, 30);
+  EXPECT_EQ(p.periodic->origin.table.line, 30);
 
   ASSERT_EQ(p.supports.size(), 2U);
   EXPECT_EQ(p.supports[0].where, "x == 0");
   EXPECT_EQ(p.supports[0].fix, (std::array{true, false, true, false, false, false}));
-  EXPECT_EQ(p.supports[0].line, 33);
-  EXPECT_EQ(p.supports[0].where_line, 34);
+  EXPECT_EQ(p.supports[0].origin.table.line, 33);
+  EXPECT_EQ(p.supports[0].origin.of("where").line, 34);
   EXPECT_EQ(p.supports[1].fix, (std::array{false, true, false, false, false, false}));
 
   ASSERT_EQ(p.probes.size(), 2U);
@@ -78,8 +78,8 @@ TEST(Problem, ReadsEveryKindOfLoad) {
   EXPECT_EQ(p.loads[0].kind, LoadKind::force_per_area);
   EXPECT_EQ(value(0), Vec3(0, -9.81 * 5, 1.5));
   EXPECT_TRUE(p.loads[0].value[0].is_zero());
-  EXPECT_EQ(p.loads[0].line, 41);
-  EXPECT_EQ(p.loads[0].where_line, 42);
+  EXPECT_EQ(p.loads[0].origin.table.line, 41);
+  EXPECT_EQ(p.loads[0].origin.of("where").line, 42);
   EXPECT_EQ(p.loads[1].kind, LoadKind::force_per_length);
   EXPECT_EQ(value(1), Vec3(3, 2, 0));
   EXPECT_TRUE(p.loads[1].value[2].is_zero());
@@ -147,7 +147,7 @@ TEST(Problem, ReadsPoissonsEquationAndAdaptiveRefinement) {
   EXPECT_EQ(p.adapt->max_seconds, 60);
   EXPECT_EQ(p.adapt->reference_energy, 1.5);
   EXPECT_EQ(p.adapt->reference_levels, 2);
-  EXPECT_EQ(p.adapt->line, 26);
+  EXPECT_EQ(p.adapt->origin.table.line, 26);
 }
 
 TEST(Problem, RefusesWhatPoissonsEquationAndAdaptiveRefinementDoNotHave) {
@@ -191,17 +191,18 @@ TEST(Problem, WhatOnlyShellsHaveIsRefusedInThePlane) {
   const auto with = [&](const std::string& more) { return message_of<InputError>(text + more); };
   Draft tied;
   tied.set("mesh", "junctions", "\"tied\"");
-  expect_message(message_of<InputError>(tied.text()),
-                 fmt::format("p.toml:{}: junctions are tied in shells", tied.line("mesh", "")),
-                 {"mitc4"});
+  expect_message(
+      message_of<InputError>(tied.text()),
+      fmt::format("p.toml:{}: junctions are tied in shells", tied.line("mesh", "junctions")),
+      {"mitc4"});
   expect_message(with("[geometry]\nkind = \"sphere\"\nradius = 1\n"),
                  "p.toml:11: [geometry] is for shells", {"mitc4"});
   expect_message(with("[[support]]\nwhere = \"all\"\nkind = \"clamped\"\n"),
-                 "p.toml:11: [[support]] kind is for shells", {"use fix"});
+                 "p.toml:13: [[support]] kind is for shells", {"use fix"});
   expect_message(with("[[support]]\nwhere = \"all\"\nfix = [\"rx\"]\n"),
-                 "p.toml:11: plane models have no rotations", {"fix ux, uy or both"});
+                 "p.toml:13: plane models have no rotations", {"fix ux, uy or both"});
   expect_message(with("[[load]]\nwhere = \"all\"\nmoment = [0, 0, 1]\n"),
-                 "p.toml:11: a moment is for shells", {"use forces"});
+                 "p.toml:13: a moment is for shells", {"use forces"});
   expect_message(
       message_of<InputError>(full_shell() + "\n[periodic]\ngradient = [[1, 0.1], [0, 1]]\n"),
       "p.toml:", {"a periodic cell is plane"});
@@ -394,7 +395,7 @@ TEST(Problem, ProbeNamesDiffer) {
   const auto n = std::count(base.begin(), base.end(), '\n');
   const std::string probe = "[[probe]]\nname = \"a\"\nat = [0, 0]\n";
   expect_message(message_of<InputError>(base + probe + probe), fmt::format("p.toml:{}: ", n + 5),
-                 {"name 'a' is taken", fmt::format("line {}", n + 1)});
+                 {"name 'a' is taken", fmt::format("line {}", n + 2)});
 }
 
 TEST(Problem, SomethingHoldsTheBody) {

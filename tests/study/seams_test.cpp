@@ -202,7 +202,7 @@ TEST(ShellSeam, ErrorsNamePartsVerticesAndDistance) {
   const std::string seam = "[[seam]]\nparts = [\"floor\", \"wall\"]\n";
   Mesh mesh = angle(4, true);
   EXPECT_NE(message_of(frame + "[[seam]]\nparts = [\"floor\", \"wal\"]\n", mesh)
-                .find("p.toml:19: there is no part 'wal'; did you mean 'wall'?"),
+                .find("p.toml:20: there is no part 'wal'; did you mean 'wall'?"),
             std::string::npos);
   mesh.points[VertexId(15)].z() += 1e-3;  // of the wall, in the middle of the seam
   const std::string message = message_of(frame + seam, mesh);

@@ -77,7 +77,7 @@ struct Model {
   Adjacency adjacency;
 
   [[nodiscard]] Selection select(std::string_view where) const {
-    return {mesh, adjacency, mesh.points.span(), where, "p.toml", 7};
+    return {mesh, adjacency, mesh.points.span(), where, Place{"p.toml:7", false, 7}};
   }
   [[nodiscard]] std::vector<int> vertices(std::string_view where) const {
     const Selection selection = select(where);
@@ -184,7 +184,7 @@ TEST(Selection, TestsThePointsItIsGiven) {
   std::vector<Vec3> pushed(m.mesh.points.begin(), m.mesh.points.end());
   for (Vec3& p : pushed)
     p.x() += 10;
-  const Selection selection(m.mesh, m.adjacency, pushed, "x == 10", "p.toml", 7);
+  const Selection selection(m.mesh, m.adjacency, pushed, "x == 10", Place{"p.toml:7", false, 7});
   EXPECT_TRUE(selection.vertices()[3]);
   EXPECT_EQ(std::count(selection.vertices().begin(), selection.vertices().end(), true), 3);
 }
@@ -236,10 +236,17 @@ TEST(Selection, SaysWhatIsNoSelection) {
   check("0 < x < 1", "write '0 < x and x < 1'");
 }
 
+TEST(Selection, OverridesAreWrongUsage) {
+  const Model m(strip);
+  const Place place{"--set support.0.where", true, 0};
+  EXPECT_THROW((void)Selection(m.mesh, m.adjacency, m.mesh.points.span(), "x == 7", place),
+               UsageError);
+}
+
 TEST(Selection, MessagesWithoutALineNameTheFile) {
   const Model m(strip);
   try {
-    (void)Selection(m.mesh, m.adjacency, m.mesh.points.span(), "x == 7", "p.toml", 0);
+    (void)Selection(m.mesh, m.adjacency, m.mesh.points.span(), "x == 7", Place{"p.toml", false, 0});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).substr(0, 15), "p.toml: where =");

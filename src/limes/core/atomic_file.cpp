@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -24,6 +26,28 @@ bool is_written_directly(const fs::path& target) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The temporary files that are there. Never destroyed: a process may end while it is in use.
+struct Unfinished {
+  std::recursive_mutex mutex;
+  std::set<fs::path> files;
+};
+Unfinished& unfinished() {
+  static auto* const all = new Unfinished;
+  return *all;
+}
+
+}  // namespace
+
+void abandon_files() noexcept {
+  Unfinished& all = unfinished();
+  all.mutex.lock();  // for good
+  std::error_code ignored;
+  for (const fs::path& file : all.files)
+    fs::remove(file, ignored);
+}
 
 bool is_standard_output(const fs::path& target) {
   struct stat there {};
@@ -63,6 +87,8 @@ void AtomicFile::open() {
 
 /// 'x' never takes over a file that exists, so two processes cannot share a temporary file.
 void AtomicFile::open_temporary() {
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
   for (int attempt = 0; attempt < 1000 && !file_; ++attempt) {
     temporary_ = target_;
     temporary_ += fmt::format(".tmp{}", attempt);
@@ -76,6 +102,7 @@ void AtomicFile::open_temporary() {
     temporary_.clear();
     fail("too many temporary files beside it");
   }
+  all.files.insert(temporary_);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -96,9 +123,12 @@ void AtomicFile::finish() {
 void AtomicFile::commit() {
   if (file_) finish();
   if (temporary_.empty()) return;
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) fail(error.message());
+  all.files.erase(temporary_);
   temporary_.clear();
 }
 
@@ -109,6 +139,7 @@ AtomicFile& AtomicFiles::add(const fs::path& target) {
 void AtomicFiles::commit() {
   for (const auto& file : files_)
     file->finish();
+  const std::lock_guard lock(unfinished().mutex);
   for (const auto& file : files_)
     file->commit();
 }
@@ -117,7 +148,11 @@ void AtomicFile::discard() noexcept {
   if (file_) std::fclose(file_);
   file_ = nullptr;
   std::error_code ignored;
-  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  if (temporary_.empty()) return;
+  Unfinished& all = unfinished();
+  const std::lock_guard lock(all.mutex);
+  fs::remove(temporary_, ignored);
+  all.files.erase(temporary_);
 }
 
 void AtomicFile::fail(const std::string& reason) const {

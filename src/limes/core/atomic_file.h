@@ -51,6 +51,10 @@ class AtomicFiles {
   std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
+/// For ending the process at once, from any thread: removes the temporary files of everything that is
+/// being written; whatever else asks to write or rename files afterwards waits forever.
+void abandon_files() noexcept;
+
 /// Whether a path is the file, pipe or terminal of standard output: /dev/stdout, a link to it.
 [[nodiscard]] bool is_standard_output(const std::filesystem::path& target);
 

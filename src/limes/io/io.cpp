@@ -10,7 +10,6 @@
 #include <system_error>
 #include <utility>
 
-#include "limes/core/atomic_file.h"
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/text.h"
@@ -164,14 +163,14 @@ MeshFile read_mesh(const fs::path& file) {
   return format->read(read_bytes(file), file.string());
 }
 
-std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh) {
+std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh, AtomicFiles& files) {
   const Format* const format = find_format(path);
   if (!format || !format->write)
     throw UsageError("{}: meshes of type {} cannot be written; .obj, .off, .ply, .stl and .vtu can",
                      path.string(), quote(extension_of(path)));
   check_faces(path, *format, mesh);
   check_coordinates(path, *format, mesh);
-  AtomicFile file(path);
+  AtomicFile& file = files.add(path);
   const ByteSink sink = [&](std::string_view bytes) {
     check_interrupt();
     file.write(bytes);
@@ -180,8 +179,14 @@ std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh) {
     format->write(sink, mesh);
   else
     format->write(sink, without_holes(mesh));
-  file.commit();
   return losses(path, *format, mesh);
+}
+
+std::vector<std::string> write_mesh(const fs::path& path, const Mesh& mesh) {
+  AtomicFiles files;
+  std::vector<std::string> lost = write_mesh(path, mesh, files);
+  files.commit();
+  return lost;
 }
 
 }  // namespace limes

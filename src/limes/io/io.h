@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limes/core/atomic_file.h"
 #include "limes/mesh/mesh.h"
 
 namespace limes {
@@ -29,6 +30,9 @@ struct MeshFile {
 /// @throws UsageError for an unknown extension, OutputError if the file cannot be written,
 ///         Interrupted (core/interrupt.h)
 std::vector<std::string> write_mesh(const std::filesystem::path& file, const Mesh& mesh);
+/// The same as one of several files, which appears when they are committed.
+std::vector<std::string> write_mesh(const std::filesystem::path& file, const Mesh& mesh,
+                                    AtomicFiles& files);
 
 /// The readers on memory. `file` is the name that messages show.
 [[nodiscard]] MeshFile read_obj(std::string_view text, std::string_view file);

@@ -24,10 +24,13 @@ class DefectList {
     ++counts_[static_cast<std::size_t>(kind)];
     if (count(kind) > most) return;
     std::sort(faces.begin(), faces.end());
-    const int line = faces.empty() || mesh_.face_lines.empty()
-                         ? 0
-                         : mesh_.face_lines[static_cast<std::size_t>(faces.front().value)];
+    const bool repeats = kind == DefectKind::duplicate_face || kind == DefectKind::opposite_faces;
+    const int line = faces.empty() ? 0 : line_of(repeats ? faces.back() : faces.front());
     defects_.push_back({kind, std::move(faces), std::move(vertices), line, std::move(message)});
+  }
+  /// In the file; 0: unknown.
+  [[nodiscard]] int line_of(FaceId face) const {
+    return mesh_.face_lines.empty() ? 0 : mesh_.face_lines[static_cast<std::size_t>(face.value)];
   }
   /// All of them, ordered by kind.
   [[nodiscard]] std::vector<Defect> take() {

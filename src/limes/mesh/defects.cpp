@@ -101,13 +101,17 @@ void TopologyCheck::check_corners() {
 
 void TopologyCheck::check_duplicates() {
   const DuplicateFaces found = find_duplicate_faces(topology_);
+  const auto with_line = [&](FaceId face) {
+    const int line = out_.line_of(face);
+    return line > 0 ? fmt::format("{} (line {})", face.value, line) : std::to_string(face.value);
+  };
   for (const auto& [earlier, later] : found.same_order)
     out_.add(DefectKind::duplicate_face, {earlier, later}, {},
-             fmt::format("face {} repeats face {}", later.value, earlier.value));
+             fmt::format("face {} repeats face {}", later.value, with_line(earlier)));
   for (const auto& [earlier, later] : found.opposite_order)
     out_.add(DefectKind::opposite_faces, {earlier, later}, {},
              fmt::format("face {} has the corners of face {} in opposite order", later.value,
-                         earlier.value));
+                         with_line(earlier)));
 }
 
 void TopologyCheck::check_edges() {

@@ -38,8 +38,8 @@ struct Defect {
   DefectKind kind;
   std::vector<FaceId> faces;       ///< ascending
   std::vector<VertexId> vertices;  ///< for an edge its two ends
-  int line = 0;                    ///< of the first face, 1-based; 0 when unknown
-  std::string message;             ///< one sentence; faces and vertices count from 0
+  int line = 0;         ///< of the first face, of a repeat the last, 1-based; 0 when unknown
+  std::string message;  ///< one sentence; faces and vertices count from 0
 };
 
 /// Everything that is wrong, ordered by kind, then by place. Beyond ten of a kind one entry

@@ -91,6 +91,9 @@ MatrixX DirectSolver::solve(const MatrixX& f) const {
     for (Eigen::Index k = 0; k < f.cols(); ++k)
       x.col(k) = conjugate_gradients(f.col(k), x.col(k));
   const double residual = relative_residual(x, f);
+  if (!std::isfinite(residual))
+    throw SolverError(
+        "the solution of the linear system ({} unknowns) is not finite; check the units", f.rows());
   if (!(residual <= std::max(worst_residual, rounding_floor(x, f))))
     throw SolverError("the linear system ({} unknowns) has no solution: relative residual {:.1e}",
                       f.rows(), residual);

@@ -54,11 +54,10 @@ Forest plane_forest(const Problem& problem, const Mesh& start, const Scheme& sch
   const Topology& t = start.topology;
   for (int f = 0; f < t.num_faces(); ++f)
     if (t.face_size(FaceId(f)) != 4)
-      throw InputError(
-          "{}:{}: [adapt] refines quads, but face {} of {} has {} corners; [mesh] "
-          "levels = 1 makes quads",
-          problem.file.string(), problem.adapt->line, f, mesh_path(problem).string(),
-          t.face_size(FaceId(f)));
+      fail_at(problem.adapt->origin.table,
+              "[adapt] refines quads, but face {} of {} has {} corners; [mesh] levels = 1 makes "
+              "quads",
+              f, mesh_path(problem).string(), t.face_size(FaceId(f)));
   return {start,
           scheme,
           {.levels = 0},

@@ -42,8 +42,9 @@ bool cut_file(const std::string& name, MeshFile& file) {
 MeshFile read_control_mesh(const Problem& problem, const ModelOptions& options) {
   MeshFile file = read_mesh(mesh_path(problem));
   if (options.repair) repair_file(file);
-  if (!problem.junctions || !cut_file(mesh_path(problem).string(), file)) return file;
-  if (options.repair) repair_file(file);
+  const bool is_cut = problem.junctions && cut_file(mesh_path(problem).string(), file);
+  if (is_cut && options.repair) repair_file(file);
+  if (options.check_size) options.check_size(problem, file.mesh);
   return file;
 }
 

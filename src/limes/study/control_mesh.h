@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "limes/io/io.h"
 #include "limes/study/problem.h"
@@ -9,6 +10,8 @@ namespace limes {
 
 struct ModelOptions {
   bool repair = false;  ///< mend what mesh/repair.h can mend
+  /// Called with every control mesh before anything is made of it; throws to refuse its size.
+  std::function<void(const Problem&, const Mesh&)> check_size = {};
 };
 
 /// The mesh file, meant from the problem file's folder.

@@ -24,6 +24,8 @@ class LeafSelection {
   /// @throws InputError as parse_face_where(), or if it means no leaf of the forest
   LeafSelection(const LocalRefinement& forest, std::string_view where);
 
+  /// Whether it is all of them, in any forest.
+  [[nodiscard]] bool means_all() const { return where_.kind == Where::Kind::all; }
   /// In the order of forest.leaves(); none is a possible answer. A vertex is tested once, so one
   /// selection belongs to one forest.
   /// @throws InputError where the condition is neither true nor false

@@ -27,7 +27,7 @@ std::vector<PlacedLoad> placed_loads(const PlaneModel& model) {
   const Topology& t = model.mesh().topology;
   for (const LoadSettings& load : model.problem.loads) {
     if (load.kind == LoadKind::force) continue;
-    const Selection chosen = model.selection(load.where, load.where_line);
+    const Selection chosen = model.selection(load.where, load.origin.of("where"));
     PlacedLoad placed{&load, std::vector<bool>(static_cast<std::size_t>(t.num_faces()), false),
                       std::vector<bool>(static_cast<std::size_t>(t.num_corners()), false)};
     if (acts_on_sides(load.kind)) {
@@ -46,7 +46,7 @@ std::vector<PlacedLoad> placed_loads(const PlaneModel& model) {
 std::vector<std::array<bool, 2>> held_components(const PlaneModel& model) {
   std::vector<std::array<bool, 2>> out(static_cast<std::size_t>(model.mesh().points.size()));
   for (const SupportSettings& s : model.problem.supports) {
-    const Selection chosen = model.selection(s.where, s.where_line);
+    const Selection chosen = model.selection(s.where, s.origin.of("where"));
     const bool value = s.kind == SupportKind::value;
     for (std::size_t v = 0; v < out.size(); ++v)
       if (chosen.vertices()[v])
@@ -97,8 +97,8 @@ class Densities {
   [[nodiscard]] double component(const LoadSettings& load, std::size_t i, const Vec3& x) const {
     const double value = load.value[i](x);
     if (!std::isfinite(value))
-      throw InputError("{}:{}: '{}' has no finite value at ({:.6g}, {:.6g})",
-                       model_.problem.file.string(), load.line, load.value[i].text(), x.x(), x.y());
+      fail_at(place_of_value(load), "'{}' has no finite value at ({:.6g}, {:.6g})",
+              load.value[i].text(), x.x(), x.y());
     return value;
   }
   [[nodiscard]] VectorX value(const LoadSettings& load, const Vec3& x) const {

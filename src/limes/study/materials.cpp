@@ -6,6 +6,15 @@
 #include "limes/study/selection.h"
 
 namespace limes {
+namespace {
+
+[[noreturn]] void fail_two_materials(FaceId face, const Place& second, const Place& first) {
+  const Place& place = first.is_override ? first : second;
+  fail_at(place, "face {} has two materials, here and in {}", face.value,
+          spoken(first.is_override ? second : first));
+}
+
+}  // namespace
 
 std::vector<int> materials_of_faces(const Problem& problem, const Mesh& mesh,
                                     const Adjacency& adjacency, std::span<const Vec3> points) {
@@ -17,19 +26,26 @@ std::vector<int> materials_of_faces(const Problem& problem, const Mesh& mesh,
       rest = m;
       continue;
     }
-    const Selection chosen(mesh, adjacency, points, *settings.where, problem.file.string(),
-                           settings.where_line);
+    const Place& place = settings.origin.of("where");
+    const Selection chosen(mesh, adjacency, points, *settings.where, place);
     for (const FaceId f : chosen.faces()) {
       int& of_face = material[static_cast<std::size_t>(f.value)];
       if (of_face >= 0)
-        throw InputError("{}:{}: face {} has two materials, here and in line {}",
-                         problem.file.string(), settings.line, f.value,
-                         problem.materials[static_cast<std::size_t>(of_face)].line);
+        fail_two_materials(f, place,
+                           problem.materials[static_cast<std::size_t>(of_face)].origin.of("where"));
       of_face = m;
     }
   }
   std::replace(material.begin(), material.end(), -1, rest);
   return material;
+}
+
+void fail_no_material(const Problem& problem, FaceId face) {
+  Place place{problem.file.string(), false, 0};
+  for (const MaterialSettings& m : problem.materials)
+    place = culprit(place, {m.origin.of("where")});
+  fail_at(place, "face {} of the refined mesh has no material; give one without 'where'",
+          face.value);
 }
 
 }  // namespace limes

@@ -15,4 +15,7 @@ namespace limes {
                                                   const Adjacency& adjacency,
                                                   std::span<const Vec3> points);
 
+/// @throws InputError, or UsageError where an override of `where` may be the reason
+[[noreturn]] void fail_no_material(const Problem& problem, FaceId face);
+
 }  // namespace limes

@@ -95,8 +95,7 @@ class CellFinder {
 
   template <class... Args>
   [[nodiscard]] InputError error(fmt::format_string<Args...> format, Args&&... args) const {
-    return InputError("{}:{}: periodic cell: {}", model_.problem.file.string(),
-                      model_.problem.periodic->line,
+    return InputError("{}: periodic cell: {}", model_.problem.periodic->origin.table.text,
                       fmt::format(format, std::forward<Args>(args)...));
   }
   [[nodiscard]] InputError unmatched(HalfedgeId h, std::string_view here,

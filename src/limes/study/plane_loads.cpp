@@ -14,11 +14,11 @@ namespace {
 class LoadAssembler {
  public:
   LoadAssembler(const PlaneModel& model, const LoadSettings& load)
-      : model_(model), load_(load), chosen_(model.selection(load.where, load.where_line)) {}
+      : model_(model), load_(load), chosen_(model.selection(load.where, load.origin.of("where"))) {}
 
   VectorX assemble() {
     if (load_.kind != LoadKind::pressure && !load_.value[2].is_zero())
-      throw InputError("{}:{}: plane models carry no load in z; make it 0", file(), load_.line);
+      fail_at(place_of_value(load_), "plane models carry no load in z; make it 0");
     switch (load_.kind) {
       case LoadKind::moment:
       case LoadKind::source:
@@ -43,15 +43,11 @@ class LoadAssembler {
   }
 
  private:
-  [[nodiscard]] std::string file() const { return model_.problem.file.string(); }
-  [[nodiscard]] InputError error(const std::string& what) const {
-    return InputError("{}:{}: {}", file(), load_.line, what);
-  }
   [[nodiscard]] double component(std::size_t i, const Vec3& x) const {
     const double value = load_.value[i](x);
     if (!std::isfinite(value))
-      throw error(fmt::format("'{}' has no finite value at ({:.6g}, {:.6g})", load_.value[i].text(),
-                              x.x(), x.y()));
+      fail_at(place_of_value(load_), "'{}' has no finite value at ({:.6g}, {:.6g})",
+              load_.value[i].text(), x.x(), x.y());
     return value;
   }
   [[nodiscard]] Vec2 value(const Vec3& x) const { return {component(0, x), component(1, x)}; }
@@ -62,7 +58,8 @@ class LoadAssembler {
       if (!chosen_.vertices()[v]) continue;
       const VertexId vertex(static_cast<std::int64_t>(v));
       if (!add_point_load(*model_.space, vertex, value(model_.limit_points[vertex]), f))
-        throw error(fmt::format("vertex {} belongs to holes only and carries no force", v));
+        fail_at(load_.origin.of("where"), "vertex {} belongs to holes only and carries no force",
+                v);
     }
     return f;
   }
@@ -76,9 +73,8 @@ class LoadAssembler {
   VectorX along_sides(const Traction& p) {
     const std::vector<HalfedgeId> sides = selected_sides(model_, chosen_);
     if (sides.empty())
-      throw InputError(
-          "{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected", file(),
-          load_.line, load_.where);
+      fail_at(load_.origin.of("where"),
+              "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where);
     const std::vector<int> element = element_of_face(*model_.space);
     VectorX f = zero();
     // One assembly per material: thicknesses differ.
@@ -102,8 +98,8 @@ class LoadAssembler {
     std::vector<bool> face(static_cast<std::size_t>(model_.mesh().topology.num_faces()), false);
     const std::vector<FaceId> faces = chosen_.faces();
     if (faces.empty())
-      throw InputError("{}:{}: '{}' selects no face; all vertices of a face must be selected",
-                       file(), load_.line, load_.where);
+      fail_at(load_.origin.of("where"),
+              "'{}' selects no face; all vertices of a face must be selected", load_.where);
     for (const FaceId f : faces)
       face[static_cast<std::size_t>(f.value)] = true;
     // One assembly per material: thicknesses differ.

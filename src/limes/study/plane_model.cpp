@@ -7,10 +7,11 @@
 #include "limes/core/error.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
+#include "limes/mesh/face_error.h"
 #include "limes/study/materials.h"
 #include "limes/study/poisson_conditions.h"
+#include "limes/study/refine_control.h"
 #include "limes/subdiv/drop_faces.h"
-#include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
@@ -53,14 +54,25 @@ void set_limit_points(const Mesh& mesh, const LimitBasis& basis, PlaneModel& mod
   }
 }
 
+/// Elements are squares on which the limit is known exactly.
+const Scheme& element_scheme(const Problem& problem) {
+  const Scheme& scheme = find_scheme(problem.mesh.scheme);
+  if (!has_exact_limit(scheme) || scheme.split == Split::triangles)
+    fail_at(culprit(problem.mesh.origin.of("scheme"), {problem.model.origin.of("kind")}),
+            "there are no plane elements of the scheme \"{}\"; right is \"catmull-clark\" or "
+            "\"linear\"",
+            scheme.name);
+  return scheme;
+}
+
 void require_unfolded(const PlaneModel& model) {
   const std::optional<Fold> fold = find_fold(*model.space);
   if (!fold) return;
+  const FaceId face = model.control_face(fold->face);
   throw InputError(
       "{}: face {}: the surface is folded or degenerate near ({:.6g}, {:.6g}); the faces must "
-      "cover "
-      "the plane once",
-      mesh_path(model.problem).string(), model.control_face(fold->face).value, fold->x.x(),
+      "cover the plane once",
+      place_of(model.control, face, mesh_path(model.problem).string()), face.value, fold->x.x(),
       fold->x.y());
 }
 
@@ -80,9 +92,8 @@ ClosedMesh::ClosedMesh(Mesh quads, std::span<const HangingVertex> vertices)
     if (!in_hole[static_cast<std::size_t>(h.vertex.value)]) hanging.push_back(h);
 }
 
-Selection PlaneModel::selection(const std::string& where, int line) const {
-  return {closed ? closed->mesh : mesh(), neighbours(), limit_points.span(), where,
-          problem.file.string(),          line};
+Selection PlaneModel::selection(const std::string& where, const Place& place) const {
+  return {closed ? closed->mesh : mesh(), neighbours(), limit_points.span(), where, place};
 }
 
 FaceId PlaneModel::control_face(FaceId face) const {
@@ -126,6 +137,7 @@ JoinsFaces PlaneModel::same_material() const {
 
 PlaneModel build_model(const Problem& problem, Mesh control,
                        std::span<const HangingVertex> hanging) {
+  const Scheme& scheme = element_scheme(problem);
   PlaneModel model;
   if (hanging.empty())
     require_refinable(control, mesh_path(problem).string());
@@ -140,10 +152,10 @@ PlaneModel build_model(const Problem& problem, Mesh control,
   model.boundary = control.tags.boundary.value_or(BoundaryRule::edges);
   model.control = std::move(control);
   if (model.boundary == BoundaryRule::none) drop_boundary_faces(model);
-  const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Mesh mesh = model.closed ? model.control
-                           : refine(model.control, scheme,
-                                    {.levels = problem.mesh.levels, .boundary = model.boundary});
+  Mesh mesh = model.closed
+                  ? model.control
+                  : refine_control(problem, model.control,
+                                   {.levels = problem.mesh.levels, .boundary = model.boundary});
   const Adjacency adjacency(mesh.topology, check);
   const LimitBasis basis(mesh.topology, resolve_tags(adjacency, mesh.tags, model.boundary), scheme,
                          check);
@@ -165,9 +177,7 @@ PlaneModel build_model(const Problem& problem, Mesh control,
   require_unfolded(model);
   for (const Element& e : model.space->elements()) {
     const int m = material[static_cast<std::size_t>(e.face.value)];
-    if (m < 0)
-      throw InputError("{}: face {} of the refined mesh has no material; give one without 'where'",
-                       problem.file.string(), e.face.value);
+    if (m < 0) fail_no_material(problem, e.face);
     model.material_of_element.push_back(m);
   }
   if (problem.model.kind == ModelKind::poisson) return model;

@@ -57,8 +57,8 @@ struct PlaneModel {
   [[nodiscard]] HalfedgeId among_neighbours(HalfedgeId side) const {
     return closed ? closed->faces.corners[side] : side;
   }
-  /// @param line  of `where` in the problem file
-  [[nodiscard]] Selection selection(const std::string& where, int line) const;
+  /// @param place  of `where` in the problem
+  [[nodiscard]] Selection selection(const std::string& where, const Place& place) const;
   /// Face of the control mesh that a face of mesh() is part of.
   [[nodiscard]] FaceId control_face(FaceId face) const;
   [[nodiscard]] PlaneAssumption assumption() const;

@@ -98,18 +98,19 @@ double thickness_of_cell(const PlaneModel& model) {
   const double t = model.problem.materials.front().thickness;
   for (const MaterialSettings& m : model.problem.materials)
     if (m.thickness != t)
-      throw InputError("{}:{}: a periodic cell has one thickness; here are {} and {}",
-                       model.problem.file.string(), m.line, t, m.thickness);
+      fail_at(culprit(m.origin.of("thickness"),
+                      {model.problem.materials.front().origin.of("thickness")}),
+              "a periodic cell has one thickness; here are {} and {}", t, m.thickness);
   return t;
 }
 
 void require_no_supports(const Problem& problem) {
-  const auto fail = [&](const char* what, int line) {
-    throw InputError("{}:{}: a periodic cell is driven by its gradient alone; remove this [[{}]]",
-                     problem.file.string(), line, what);
+  const auto fail = [&](const char* what, const Origin& origin) {
+    fail_at(culprit(origin.table, {problem.periodic->origin.override_or_table()}),
+            "a periodic cell is driven by its gradient alone; remove this [[{}]]", what);
   };
-  if (!problem.supports.empty()) fail("support", problem.supports.front().line);
-  if (!problem.loads.empty()) fail("load", problem.loads.front().line);
+  if (!problem.supports.empty()) fail("support", problem.supports.front().origin);
+  if (!problem.loads.empty()) fail("load", problem.loads.front().origin);
 }
 
 }  // namespace

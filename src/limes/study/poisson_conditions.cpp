@@ -4,6 +4,7 @@
 
 #include "limes/core/error.h"
 #include "limes/fem/load.h"
+#include "limes/mesh/face_error.h"
 #include "limes/mesh/pieces.h"
 #include "limes/study/selection.h"
 #include "limes/study/supports.h"
@@ -11,11 +12,10 @@
 namespace limes {
 namespace {
 
-double finite(const PlaneModel& model, const Expression& formula, const Vec3& x, int line) {
+double finite(const Expression& formula, const Vec3& x, const Place& place) {
   const double value = formula(x);
   if (!std::isfinite(value))
-    throw InputError("{}:{}: '{}' has no finite value at ({:.6g}, {:.6g})",
-                     model.problem.file.string(), line, formula.text(), x.x(), x.y());
+    fail_at(place, "'{}' has no finite value at ({:.6g}, {:.6g})", formula.text(), x.x(), x.y());
   return value;
 }
 
@@ -25,7 +25,8 @@ void require_quads(const PlaneModel& model) {
     if (t.face_size(FaceId(f)) != 4)
       throw InputError(
           "{}: face {} has {} corners; bilinear elements have 4, [mesh] levels = 1 makes them",
-          mesh_path(model.problem).string(), f, t.face_size(FaceId(f)));
+          place_of(model.control, FaceId(f), mesh_path(model.problem).string()), f,
+          t.face_size(FaceId(f)));
 }
 
 /// With other values 2 (E - E_h) is no squared error: the energy may lie on either side.
@@ -33,11 +34,11 @@ void require_zero(const PlaneModel& model, const SupportSettings& support, doubl
                   const Vec3& x) {
   const auto& adapt = model.problem.adapt;
   if (!adapt || !adapt->reference_energy || value == 0) return;
-  throw InputError(
-      "{}:{}: the support of line {} gives the value {} at ({:.6g}, {:.6g}), but a "
-      "reference_energy "
-      "says what the error is only where all supports have the value 0; remove it",
-      model.problem.file.string(), adapt->line, support.line, value, x.x(), x.y());
+  const Place& held = support.origin.of("value");
+  fail_at(culprit(adapt->origin.of("reference_energy"), {held}),
+          "the support of {} gives the value {} at ({:.6g}, {:.6g}), but a reference_energy says "
+          "what the error is only where all supports have the value 0; remove it",
+          spoken(held), value, x.x(), x.y());
 }
 
 /// Faces are joined by common vertices. A piece in which no vertex is held has many solutions.
@@ -53,10 +54,11 @@ void require_held_pieces(const PlaneModel& model, const std::vector<int>& held_a
   for (int e = 0; e < static_cast<int>(space.elements().size()); ++e) {
     if (held[static_cast<std::size_t>(sets.find(space.dofs(e)[0]))]) continue;
     const Vec3 x = space.control_points(e).row(0).transpose();
-    throw InputError(
-        "{}: no [[support]] gives a value in the piece of the mesh at ({:.6g}, {:.6g}); the "
-        "solution is known there but for a constant",
-        model.problem.file.string(), x.x(), x.y());
+    fail_at(
+        place_of_supports(model.problem),
+        "no [[support]] gives a value in the piece of the mesh at ({:.6g}, {:.6g}); the solution "
+        "is known there but for a constant",
+        x.x(), x.y());
   }
 }
 
@@ -69,25 +71,25 @@ VectorX source_load(const PlaneModel& model, const LoadSettings& load, const Sel
   std::vector<bool> face(static_cast<std::size_t>(model.mesh().topology.num_faces()), false);
   const std::vector<FaceId> faces = chosen.faces();
   if (faces.empty())
-    throw InputError("{}:{}: '{}' selects no face; all vertices of a face must be selected",
-                     model.problem.file.string(), load.line, load.where);
+    fail_at(load.origin.of("where"),
+            "'{}' selects no face; all vertices of a face must be selected", load.where);
   for (const FaceId f : faces)
     face[static_cast<std::size_t>(f.value)] = true;
   std::vector<bool> element;
   for (const Element& e : model.space->elements())
     element.push_back(face[static_cast<std::size_t>(e.face.value)]);
   return scalar(body_load(*model.space, element, [&](const Vec3& x) {
-    return Vec2(finite(model, load.value[0], x, load.line), 0);
+    return Vec2(finite(load.value[0], x, place_of_value(load)), 0);
   }));
 }
 
 VectorX flux_load(const PlaneModel& model, const LoadSettings& load, const Selection& chosen) {
   const std::vector<HalfedgeId> sides = selected_sides(model, chosen);
   if (sides.empty())
-    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
-                     model.problem.file.string(), load.line, load.where);
+    fail_at(load.origin.of("where"),
+            "'{}' selects no boundary edge; both ends of an edge must be selected", load.where);
   return scalar(side_load(*model.space, sides, [&](const Vec3& x, const Vec2& /*normal*/) {
-    return Vec2(finite(model, load.value[0], x, load.line), 0);
+    return Vec2(finite(load.value[0], x, place_of_value(load)), 0);
   }));
 }
 
@@ -109,14 +111,14 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
   std::vector<int> held_at(static_cast<std::size_t>(model.space->num_dofs()), -1);
   for (int s = 0; s < static_cast<int>(model.problem.supports.size()); ++s) {
     const SupportSettings& support = model.problem.supports[static_cast<std::size_t>(s)];
-    const Selection chosen = model.selection(support.where, support.where_line);
+    const Selection chosen = model.selection(support.where, support.origin.of("where"));
     for (std::size_t v = 0; v < chosen.vertices().size(); ++v) {
       const VertexId vertex(static_cast<std::int64_t>(v));
       const bool held = chosen.vertices()[v] && !hangs[v];  // else its ends say what it has
       const int dof = held ? dof_of_vertex(*model.space, vertex) : -1;
       if (dof < 0) continue;
       const Vec3& x = model.limit_points[vertex];
-      const double value = finite(model, support.value, x, support.line);
+      const double value = finite(support.value, x, support.origin.of("value"));
       require_zero(model, support, value, x);
       int& at = held_at[static_cast<std::size_t>(dof)];
       if (at < 0) {
@@ -125,11 +127,15 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
         continue;
       }
       const double other = out[static_cast<std::size_t>(at)].value;
+      const SupportSettings& other_support =
+          model.problem
+              .supports[static_cast<std::size_t>(out[static_cast<std::size_t>(at)].support)];
       if (std::abs(value - other) > 1e-9 * (1 + std::abs(value)))
-        throw InputError(
-            "{}:{}: the vertex at ({:.6g}, {:.6g}) has the value {}, and {} by another "
-            "support; make them agree",
-            model.problem.file.string(), support.line, x.x(), x.y(), value, other);
+        fail_at(culprit(support.origin.of("value"),
+                        {support.origin.of("where"), other_support.origin.override_or_table()}),
+                "the vertex at ({:.6g}, {:.6g}) has the value {}, and {} by another support; make "
+                "them agree",
+                x.x(), x.y(), value, other);
     }
   }
   require_held_pieces(model, held_at);
@@ -139,7 +145,7 @@ std::vector<HeldVertex> held_vertices(const PlaneModel& model) {
 VectorX poisson_loads(const PlaneModel& model) {
   VectorX f = VectorX::Zero(model.space->num_dofs());
   for (const LoadSettings& load : model.problem.loads) {
-    const Selection chosen = model.selection(load.where, load.where_line);
+    const Selection chosen = model.selection(load.where, load.origin.of("where"));
     f += load.kind == LoadKind::source ? source_load(model, load, chosen)
                                        : flux_load(model, load, chosen);
   }

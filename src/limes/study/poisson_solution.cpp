@@ -94,8 +94,8 @@ PoissonSolution solve_poisson(const PlaneModel& model) {
   const Elimination free = eliminate(model.space->num_dofs(), fixed.rows);
   check_interrupt();
   if (free.num_free() == 0)
-    throw InputError("{}: supports hold all vertices; refine the mesh, [mesh] levels = 1",
-                     model.problem.file.string());
+    fail_at(culprit(place_of_supports(model.problem), {model.problem.mesh.origin.of("levels")}),
+            "supports hold all vertices; refine the mesh, [mesh] levels = 1");
   const VectorX load = free.T.transpose() * (f - K * fixed.values);
   const DirectSolver solver(SparseMatrix(free.T.transpose() * K * free.T));
   const MatrixX x = solver.solve(load);

@@ -26,6 +26,19 @@ SupportKind support_kind(std::string_view name) {
   return SupportKind::listed;
 }
 
+struct NamedLoad {
+  std::string_view name;
+  LoadKind kind;
+};
+constexpr std::array load_kinds{NamedLoad{"force", LoadKind::force},
+                                NamedLoad{"force_per_length", LoadKind::force_per_length},
+                                NamedLoad{"force_per_area", LoadKind::force_per_area},
+                                NamedLoad{"force_per_volume", LoadKind::force_per_volume},
+                                NamedLoad{"pressure", LoadKind::pressure},
+                                NamedLoad{"moment", LoadKind::moment},
+                                NamedLoad{"source", LoadKind::source},
+                                NamedLoad{"flux", LoadKind::flux}};
+
 /// The tables of a document, one kind after the other.
 class ProblemReader {
  public:
@@ -49,7 +62,10 @@ class ProblemReader {
   void read_loads();
   void read_probes();
   void read_adapt();
+  void check_adapt() const;
   void check_model() const;
+  void check_conditions() const;
+  void check_plane() const;
   void check_held() const;
 
   const toml::table& document_;
@@ -69,7 +85,7 @@ void ProblemReader::read_top() {
 void ProblemReader::read_mesh() {
   for (const TableReader& table : tables("mesh")) {
     MeshSettings& mesh = problem_.mesh;
-    mesh.line = table.line();
+    mesh.origin = table.origin();
     std::string file, placement, junctions;
     table.read("file", file);
     mesh.file = file;
@@ -78,18 +94,19 @@ void ProblemReader::read_mesh() {
     table.read("placement", placement);
     mesh.exact = placement == "exact";
     if (mesh.exact && !document_.contains("geometry"))
-      fail(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
+      fail_with(table.place("placement"), "placement 'exact' needs a [geometry]; it is missing");
     table.read("junctions", junctions);
     problem_.junctions = junctions == "tied";
     table.read("smooth_start", mesh.smooth_start);
     table.read("smoothing", mesh.smoothing);
     if (mesh.smooth_start > 0 && !document_.contains("geometry"))
-      fail(table.place("smooth_start"),
-           "[mesh] smooth_start slides vertices on a [geometry]; it is missing");
+      fail_with(table.place("smooth_start"),
+                "[mesh] smooth_start slides vertices on a [geometry]; it is missing");
     if (mesh.smoothing > 0 && !mesh.exact && mesh.scheme != "kobbelt")
-      fail(table.place("smoothing"),
-           "[mesh] smoothing slides vertices on a [geometry] (placement = \"exact\") or on the "
-           "surface of the scheme \"kobbelt\"; here is neither");
+      fail_with(
+          culprit(table.place("smoothing"), {table.place("placement"), table.place("scheme")}),
+          "[mesh] smoothing slides vertices on a [geometry] (placement = \"exact\") or on the "
+          "surface of the scheme \"kobbelt\"; here is neither");
   }
 }
 
@@ -99,14 +116,14 @@ void ProblemReader::read_surfaces() {
   static_cast<SurfaceSettings&>(problem_) = std::move(surfaces);
   if (problem_.mesh.exact || problem_.mesh.smooth_start > 0) return;
   for (const TableReader& table : tables("curve"))
-    fail(table.place(),
-         "a [[curve]] places vertices; it needs [mesh] placement = \"exact\" or smooth_start");
+    fail_with(table.place(),
+              "a [[curve]] places vertices; it needs [mesh] placement = \"exact\" or smooth_start");
 }
 
 void ProblemReader::read_model() {
   for (const TableReader& table : tables("model")) {
     ModelSettings& model = problem_.model;
-    model.line = table.line();
+    model.origin = table.origin();
     std::string kind, boundary, membrane;
     table.read("kind", kind);
     table.read("boundary", boundary);
@@ -125,42 +142,45 @@ void ProblemReader::read_model() {
     table.read("quadrature_depth", model.quadrature_depth);
     if (model.kind == ModelKind::mitc4)
       refuse_keys(table, "model", {"boundary", "kinks", "quadrature_points", "quadrature_depth"},
-                  "kind = \"mitc4\"");
+                  "kind = \"mitc4\"", table.place("kind"));
     else
       refuse_keys(table, "model", {"shear_factor", "kink_angle", "membrane", "drilling"},
-                  fmt::format("kind = \"{}\"", kind));
+                  fmt::format("kind = \"{}\"", kind), table.place("kind"));
     if (model.kind == ModelKind::poisson)
-      refuse_keys(table, "model", {"boundary", "kinks", "quadrature_depth"}, "kind = \"poisson\"");
+      refuse_keys(table, "model", {"boundary", "kinks", "quadrature_depth"}, "kind = \"poisson\"",
+                  table.place("kind"));
   }
 }
 
 void ProblemReader::read_materials() {
   const MaterialSettings* rest = nullptr;
+  const Place& kind = problem_.model.origin.of("kind");
   const std::vector<TableReader> all = tables("material");
   problem_.materials.reserve(all.size());
   for (const TableReader& table : all) {
     MaterialSettings& material = problem_.materials.emplace_back();
-    material.line = table.line();
-    material.where_line = table.line("where");
+    material.origin = table.origin();
     if (table.has("where")) table.read("where", material.where.emplace());
     table.read("young", material.young);
     table.read("poisson", material.poisson);
     table.read("thickness", material.thickness);
     table.read("conductivity", material.conductivity);
     if (problem_.model.kind == ModelKind::poisson) {
-      refuse_keys(table, "material", {"young", "poisson", "thickness"}, "kind = \"poisson\"");
+      refuse_keys(table, "material", {"young", "poisson", "thickness"}, "kind = \"poisson\"", kind);
     } else {
-      refuse_keys(table, "material", {"conductivity"}, "elasticity");
+      refuse_keys(table, "material", {"conductivity"}, "elasticity", kind);
       for (const char* needed : {"young", "poisson"})
         if (!table.has(needed))
-          fail(table.place(), fmt::format("{} {} is missing: {}", written(*find_table("material")),
-                                          needed, find_key("material", needed)->help));
+          fail_with(culprit(table.place(), {kind}),
+                    fmt::format("{} {} is missing: {}", written(*find_table("material")), needed,
+                                find_key("material", needed)->help));
     }
     if (material.where) continue;
     if (rest)
-      fail(table.place(), fmt::format("this [[material]] has no where, like that of line {}; one "
-                                      "may be without",
-                                      rest->line));
+      fail_with(table.place(),
+                fmt::format("this [[material]] has no where, like that of {}; one may be "
+                            "without",
+                            spoken(rest->origin.table)));
     rest = &material;
   }
 }
@@ -168,21 +188,21 @@ void ProblemReader::read_materials() {
 void ProblemReader::read_periodic() {
   for (const TableReader& table : tables("periodic")) {
     PeriodicSettings& periodic = problem_.periodic.emplace();
-    periodic.line = table.line();
+    periodic.origin = table.origin();
     table.read("gradient", periodic.gradient);
     if (!(periodic.gradient.determinant() > 0))
-      fail(table.place("gradient"),
-           fmt::format("[periodic] gradient has the determinant {}; the deformation gradient of a "
-                       "body has one > 0, [[1, 0], [0, 1]] is no deformation",
-                       periodic.gradient.determinant()));
+      fail_with(
+          table.place("gradient"),
+          fmt::format("[periodic] gradient has the determinant {}; the deformation gradient of a "
+                      "body has one > 0, [[1, 0], [0, 1]] is no deformation",
+                      periodic.gradient.determinant()));
   }
 }
 
 void ProblemReader::read_supports() {
   for (const TableReader& table : tables("support")) {
     SupportSettings& support = problem_.supports.emplace_back();
-    support.line = table.line();
-    support.where_line = table.line("where");
+    support.origin = table.origin();
     table.read("where", support.where);
     std::vector<std::string> fix;
     std::string kind, rotation;
@@ -197,31 +217,18 @@ void ProblemReader::read_supports() {
     support.hard = rotation == "hard";
     if (!rotation.empty() && support.kind != SupportKind::supported &&
         support.kind != SupportKind::diaphragm)
-      fail(table.place("rotation"),
-           "rotation belongs to kind = \"supported\" or \"diaphragm\"; remove it");
+      fail_with(table.place("rotation"),
+                "rotation belongs to kind = \"supported\" or \"diaphragm\"; remove it");
   }
 }
 
 void ProblemReader::read_loads() {
-  struct Named {
-    std::string_view name;
-    LoadKind kind;
-  };
-  constexpr std::array kinds{Named{"force", LoadKind::force},
-                             Named{"force_per_length", LoadKind::force_per_length},
-                             Named{"force_per_area", LoadKind::force_per_area},
-                             Named{"force_per_volume", LoadKind::force_per_volume},
-                             Named{"pressure", LoadKind::pressure},
-                             Named{"moment", LoadKind::moment},
-                             Named{"source", LoadKind::source},
-                             Named{"flux", LoadKind::flux}};
   for (const TableReader& table : tables("load")) {
     LoadSettings& load = problem_.loads.emplace_back();
-    load.line = table.line();
-    load.where_line = table.line("where");
+    load.origin = table.origin();
     table.read("where", load.where);
     const std::string_view key = table.chosen_key();
-    for (const Named& named : kinds)
+    for (const NamedLoad& named : load_kinds)
       if (named.name == key) load.kind = named.kind;
     if (load.kind == LoadKind::pressure || load.kind == LoadKind::source ||
         load.kind == LoadKind::flux)
@@ -234,13 +241,14 @@ void ProblemReader::read_loads() {
 void ProblemReader::read_probes() {
   for (const TableReader& table : tables("probe")) {
     ProbeSettings probe;
-    probe.line = table.line();
+    probe.origin = table.origin();
     table.read("name", probe.name);
     table.read("at", probe.at);
     for (const ProbeSettings& other : problem_.probes)
       if (other.name == probe.name)
-        fail(table.place("name"), fmt::format("[[probe]] name {} is taken by that of line {}",
-                                              quote(probe.name), other.line));
+        fail_with(table.place("name"),
+                  fmt::format("[[probe]] name {} is taken by that of {}", quote(probe.name),
+                              spoken(other.origin.of("name"))));
     problem_.probes.push_back(std::move(probe));
   }
 }
@@ -248,7 +256,7 @@ void ProblemReader::read_probes() {
 void ProblemReader::read_adapt() {
   for (const TableReader& table : tables("adapt")) {
     AdaptSettings& adapt = problem_.adapt.emplace();
-    adapt.line = table.line();
+    adapt.origin = table.origin();
     std::string estimator, mark, closure;
     table.read("estimator", estimator);
     if (estimator == "residual") adapt.estimator = EstimatorKind::residual;
@@ -266,80 +274,110 @@ void ProblemReader::read_adapt() {
     if (table.has("reference_energy"))
       table.read("reference_energy", adapt.reference_energy.emplace());
     table.read("reference_levels", adapt.reference_levels);
-    if (problem_.periodic)
-      fail(table.place(), "a periodic cell cannot be refined adaptively yet; remove [adapt]");
-    if (problem_.model.kind == ModelKind::mitc4 && problem_.mesh.scheme != "linear" &&
-        problem_.mesh.scheme != "kobbelt")
-      fail(table.place(),
-           "[adapt] takes shells whose nodes are vertices; right is [mesh] scheme = \"linear\" or "
-           "\"kobbelt\"");
-    if (problem_.mesh.smoothing > 0 && !problem_.mesh.exact)
-      fail(table.place(),
-           "[adapt] smooths meshes on exact surfaces only; right is [mesh] smoothing = 0 or "
-           "placement = \"exact\"");
-    if (problem_.model.kind != ModelKind::mitc4 && problem_.mesh.scheme != "linear")
-      fail(table.place(),
-           "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");
   }
+}
+
+/// That the other tables leave something to refine.
+void ProblemReader::check_adapt() const {
+  if (!problem_.adapt) return;
+  const Origin &own = problem_.adapt->origin, &mesh = problem_.mesh.origin,
+               &model = problem_.model.origin;
+  const bool shell = problem_.model.kind == ModelKind::mitc4;
+  if (problem_.periodic)
+    fail_at(own.table, "a periodic cell cannot be refined adaptively yet; remove [adapt]");
+  if (shell && problem_.mesh.scheme != "linear" && problem_.mesh.scheme != "kobbelt")
+    fail_at(culprit(own.table, {mesh.of("scheme"), model.of("kind")}),
+            "[adapt] takes shells whose nodes are vertices; right is [mesh] scheme = \"linear\" or "
+            "\"kobbelt\"");
+  if (problem_.mesh.smoothing > 0 && !problem_.mesh.exact)
+    fail_at(culprit(own.table, {mesh.of("smoothing"), mesh.of("placement")}),
+            "[adapt] smooths meshes on exact surfaces only; right is [mesh] smoothing = 0 or "
+            "placement = \"exact\"");
+  if (!shell && problem_.mesh.scheme != "linear")
+    fail_at(culprit(own.table, {mesh.of("scheme"), model.of("kind")}),
+            "[adapt] works on bilinear elements; right is [mesh] scheme = \"linear\"");
 }
 
 void ProblemReader::check_held() const {
   if (problem_.model.kind == ModelKind::poisson && problem_.supports.empty())
-    fail({file_},
-         "there is no [[support]]: the solution is known but for a constant; give its value "
-         "somewhere");
+    fail_with({file_},
+              "there is no [[support]]: the solution is known but for a constant; give its value "
+              "somewhere");
   if (problem_.supports.empty() && !problem_.periodic)
-    fail({file_},
-         "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
-         "three fixed displacements");
+    fail_with(
+        {file_},
+        "there is no [[support]]: nothing keeps the body in place; a plane body needs at least "
+        "three fixed displacements");
+}
+
+/// Poisson's equation has supports and loads of its own.
+void ProblemReader::check_conditions() const {
+  const Place& kind = problem_.model.origin.of("kind");
+  const bool poisson = problem_.model.kind == ModelKind::poisson;
+  for (const SupportSettings& s : problem_.supports)
+    if (poisson != (s.kind == SupportKind::value))
+      fail_at(culprit(s.origin.override_or_table(), {kind}), "{}",
+              poisson ? "Poisson's equation has no displacements; right is value"
+                      : "[[support]] value is for [model] kind = \"poisson\"; use fix");
+  for (const LoadSettings& load : problem_.loads)
+    if (poisson != (load.kind == LoadKind::source || load.kind == LoadKind::flux))
+      fail_at(culprit(load.origin.override_or_table(), {kind}), "{}",
+              poisson ? "Poisson's equation has no forces; right is source or flux"
+                      : "source and flux are for [model] kind = \"poisson\"; use forces");
 }
 
 /// Each model has keys that mean nothing to the other.
 void ProblemReader::check_model() const {
-  const auto fail_at = [&](int line, const char* what) {
-    throw InputError("{}:{}: {}", file_, line, what);
-  };
-  const bool poisson = problem_.model.kind == ModelKind::poisson;
-  for (const SupportSettings& s : problem_.supports)
-    if (poisson != (s.kind == SupportKind::value))
-      fail_at(s.line, poisson ? "Poisson's equation has no displacements; right is value"
-                              : "[[support]] value is for [model] kind = \"poisson\"; use fix");
-  for (const LoadSettings& load : problem_.loads)
-    if (poisson != (load.kind == LoadKind::source || load.kind == LoadKind::flux))
-      fail_at(load.line, poisson
-                             ? "Poisson's equation has no forces; right is source or flux"
-                             : "source and flux are for [model] kind = \"poisson\"; use forces");
-  if (poisson && problem_.mesh.scheme != "linear")
-    fail_at(problem_.model.line,
-            "Poisson's equation is solved with bilinear elements; right is [mesh] scheme = "
-            "\"linear\"");
-  if (poisson && problem_.periodic)
-    fail_at(problem_.periodic->line, "a periodic cell is one of elasticity; remove it");
+  const Place& kind = problem_.model.origin.of("kind");
+  const Origin& mesh = problem_.mesh.origin;
+  check_conditions();
+  if (problem_.model.kind == ModelKind::poisson) {
+    if (problem_.mesh.scheme != "linear")
+      fail_at(culprit(problem_.model.origin.table, {mesh.of("scheme"), kind}),
+              "Poisson's equation is solved with bilinear elements; right is [mesh] scheme = "
+              "\"linear\"");
+    if (problem_.periodic)
+      fail_at(culprit(problem_.periodic->origin.table, {kind}),
+              "a periodic cell is one of elasticity; remove it");
+  }
   if (problem_.model.kind == ModelKind::mitc4) {
     if (problem_.periodic)
-      fail_at(problem_.periodic->line, "a periodic cell is plane; a shell has none, remove it");
+      fail_at(culprit(problem_.periodic->origin.table, {kind}),
+              "a periodic cell is plane; a shell has none, remove it");
     return;
   }
   if (problem_.mesh.smoothing > 0)
-    fail_at(problem_.mesh.line, "smoothing is for shells, [model] kind = \"mitc4\"; remove it");
+    fail_at(culprit(mesh.of("smoothing"), {kind}),
+            "smoothing is for shells, [model] kind = \"mitc4\"; remove it");
   if (problem_.junctions)
-    fail_at(problem_.mesh.line,
+    fail_at(culprit(mesh.of("junctions"), {kind}),
             "junctions are tied in shells, [model] kind = \"mitc4\"; remove the key");
   if (problem_.geometry || !problem_.geometry_of_parts.empty())
-    fail_at(problem_.geometry ? problem_.geometry->line : problem_.geometry_of_parts.front().line,
+    fail_at(culprit((problem_.geometry ? *problem_.geometry : problem_.geometry_of_parts.front())
+                        .origin.table,
+                    {kind}),
             "[geometry] is for shells, [model] kind = \"mitc4\"; remove it");
   if (!problem_.seams.empty())
-    fail_at(problem_.seams.front().line,
+    fail_at(culprit(problem_.seams.front().origin.table, {kind}),
             "a [[seam]] is for shells, [model] kind = \"mitc4\"; remove it");
+  check_plane();
+}
+
+/// That supports and loads are those of a plane body.
+void ProblemReader::check_plane() const {
+  const Place& kind = problem_.model.origin.of("kind");
   for (const SupportSettings& s : problem_.supports) {
     if (s.kind != SupportKind::listed && s.kind != SupportKind::value)
-      fail_at(s.line, "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
+      fail_at(culprit(s.origin.of("kind"), {kind}),
+              "[[support]] kind is for shells, [model] kind = \"mitc4\"; use fix");
     if (s.fix[3] || s.fix[4] || s.fix[5])
-      fail_at(s.line, "plane models have no rotations; fix ux, uy or both");
+      fail_at(culprit(s.origin.of("fix"), {kind}),
+              "plane models have no rotations; fix ux, uy or both");
   }
   for (const LoadSettings& load : problem_.loads)
     if (load.kind == LoadKind::moment)
-      fail_at(load.line, "a moment is for shells, [model] kind = \"mitc4\"; use forces");
+      fail_at(culprit(load.origin.of("moment"), {kind}),
+              "a moment is for shells, [model] kind = \"mitc4\"; use forces");
 }
 
 Problem ProblemReader::read() {
@@ -353,12 +391,26 @@ Problem ProblemReader::read() {
   read_loads();
   read_probes();
   read_adapt();
+  check_adapt();
   check_model();
   check_held();
   return std::move(problem_);
 }
 
 }  // namespace
+
+const Place& place_of_value(const LoadSettings& load) {
+  const auto named = std::find_if(load_kinds.begin(), load_kinds.end(),
+                                  [&](const NamedLoad& n) { return n.kind == load.kind; });
+  return load.origin.of(named->name);
+}
+
+Place place_of_supports(const Problem& problem) {
+  Place place{problem.file.string(), false, 0};
+  for (const SupportSettings& s : problem.supports)
+    place = culprit(place, {s.origin.override_or_table()});
+  return place;
+}
 
 Problem parse_problem(std::string_view text, const fs::path& file,
                       std::span<const std::string> overrides) {

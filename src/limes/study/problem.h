@@ -10,14 +10,14 @@
 #include "limes/adapt/marking.h"
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
+#include "limes/study/place.h"
 #include "limes/study/surface_settings.h"
 #include "limes/subdiv/closure.h"
 
 namespace limes {
 
-// A problem as its file states it: values checked one by one, nothing computed yet. `line` is the
-// line of the table in the file and `where_line` that of its selection, for messages; 0: from an
-// override.
+// A problem as its file states it: values checked one by one, nothing computed yet. `origin` says where
+// its table and values come from, for messages of later checks.
 
 struct MeshSettings {
   std::filesystem::path file;  ///< relative names are meant from the problem file's folder
@@ -27,7 +27,7 @@ struct MeshSettings {
   /// Sweeps in which the shapes of elements are optimised (shells only): of the control mesh on
   /// [geometry], and after each refinement.
   int smooth_start = 0, smoothing = 0;
-  int line = 0;
+  Origin origin = {};
 };
 
 struct MaterialSettings {
@@ -36,7 +36,7 @@ struct MaterialSettings {
   double poisson = 0;                ///< in (-1, 0.5)
   double thickness = 1;              ///< > 0
   double conductivity = 1;           ///< of Poisson's equation, > 0
-  int line = 0, where_line = 0;
+  Origin origin = {};
 };
 
 enum class ModelKind { plane_stress, plane_strain, poisson, mitc4 };
@@ -54,13 +54,13 @@ struct ModelSettings {
   double kink_angle = 20;           ///< of shells, in degrees
   bool assumed_membrane = false;    ///< of shells: membrane strains are tied, see fem/mitc4.h
   double drilling = 0;              ///< of shells: factor at kinks, in [0, 1], see fem/drilling.h
-  int line = 0;
+  Origin origin = {};
 };
 
 /// A periodic cell driven by a macroscopic deformation gradient F.
 struct PeriodicSettings {
   Mat2 gradient = Mat2::Identity();
-  int line = 0;
+  Origin origin = {};
 };
 
 /// Usual supports of shells, see shell_supports.h.
@@ -72,7 +72,7 @@ struct SupportSettings {
   bool hard = false;          ///< the rotation of the director along the edge is held as well
   std::array<bool, 6> fix{};  ///< ux, uy, uz, rx, ry, rz; of SupportKind::listed
   Expression value;           ///< of SupportKind::value
-  int line = 0, where_line = 0;
+  Origin origin = {};
 };
 
 enum class LoadKind {
@@ -91,13 +91,16 @@ struct LoadSettings {
   LoadKind kind = LoadKind::force_per_area;
   /// Components (pressure, source, flux: the first only); each a number or an expression in x, y, z.
   std::array<Expression, 3> value;
-  int line = 0, where_line = 0;
+  Origin origin = {};
 };
+
+/// Of what a load's formulas say: "force", "flux".
+[[nodiscard]] const Place& place_of_value(const LoadSettings& load);
 
 struct ProbeSettings {
   std::string name;
   Vec3 at = Vec3::Zero();
-  int line = 0;
+  Origin origin = {};
 };
 
 enum class EstimatorKind { zienkiewicz_zhu, residual };
@@ -114,7 +117,7 @@ struct AdaptSettings {
   std::optional<double> max_seconds;       ///< > 0
   std::optional<double> reference_energy;  ///< of the exact solution, > 0
   int reference_levels = 0;                ///< of a finer solution to compare with, 0 to 4; 0: none
-  int line = 0;
+  Origin origin = {};
   // Not of the problem file, see adapt_state.h.
   std::filesystem::path state;  ///< file; empty: none
   bool resume = false;          ///< go on from there
@@ -139,6 +142,9 @@ struct Problem : SurfaceSettings {
   /// All that the file and overrides say, one by one: "load.0.flux = 3".
   std::vector<std::string> values;
 };
+
+/// Of the supports together: an override among them, else the file.
+[[nodiscard]] Place place_of_supports(const Problem& problem);
 
 /// Reads a problem file; `overrides` are "dotted.path=value" with array entries by index, the value
 /// in TOML or, if it is none, a bare string.

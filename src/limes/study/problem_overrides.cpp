@@ -100,7 +100,7 @@ void Override::apply(toml::table& document) {
 toml::table* Override::find_or_add(toml::table& document, const Table& table) {
   if (!document.contains(table.name)) {
     if (table.form == TableForm::list) fail(fmt::format("the file has no {}", written(table)));
-    document.insert(table.name, toml::table{});
+    document.insert(table.name, std::move(*toml::parse("value = {}", label_).get("value")));
   }
   toml::node& node = *document.get(table.name);
   if (toml::array* const list = node.as_array())

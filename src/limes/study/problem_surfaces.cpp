@@ -44,17 +44,18 @@ const KindRow& kind_of(const TableReader& table) {
       *std::find_if(kinds.begin(), kinds.end(), [&](const KindRow& r) { return r.name == name; });
   for (const std::string_view needed : row.needed)
     if (!needed.empty() && !table.has(needed))
-      fail(table.place(), fmt::format("[geometry] {} is missing; a {} needs it", needed, name));
+      fail_with(culprit(table.place(), {table.place("kind")}),
+                fmt::format("[geometry] {} is missing; a {} needs it", needed, name));
   for (const Key& key : problem_keys())
     if (key.table == "geometry" && key.name != "kind" && key.name != "part" &&
         !contains(row.needed, key.name) && !contains(row.optional, key.name))
-      refuse_keys(table, "geometry", {key.name}, fmt::format("a {}", name));
+      refuse_keys(table, "geometry", {key.name}, fmt::format("a {}", name), table.place("kind"));
   return row;
 }
 
 GeometrySettings geometry_of(const TableReader& table) {
   GeometrySettings geometry;
-  geometry.line = table.line();
+  geometry.origin = table.origin();
   geometry.kind = kind_of(table).kind;
   if (table.has("part")) table.read("part", geometry.part.emplace());
   table.read("point", geometry.point);
@@ -65,12 +66,13 @@ GeometrySettings geometry_of(const TableReader& table) {
   table.read("height", geometry.height);
   table.read("zero", geometry.zero);
   if (!(geometry.axis.norm() > 0))
-    fail(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
+    fail_with(table.place("axis"), "[geometry] axis has no direction; it must not be 0");
   if (geometry.kind == Kind::torus && !(geometry.tube_radius < geometry.radius))
-    fail(table.place("tube_radius"),
-         fmt::format("[geometry] tube_radius is {}; that of a torus without self-intersections is "
-                     "less than its radius, {}",
-                     geometry.tube_radius, geometry.radius));
+    fail_with(
+        culprit(table.place("tube_radius"), {table.place("radius")}),
+        fmt::format("[geometry] tube_radius is {}; that of a torus without self-intersections is "
+                    "less than its radius, {}",
+                    geometry.tube_radius, geometry.radius));
   return geometry;
 }
 
@@ -81,9 +83,9 @@ void add_geometry(const TableReader& table, SurfaceSettings& surfaces) {
   for (const GeometrySettings& g : surfaces.geometry_of_parts)
     if (g.part == geometry.part) other = &g;
   if (other)
-    fail(table.place("part"),
-         fmt::format("this [[geometry]] is for the same part as that of line {}; a part has one",
-                     other->line));
+    fail_with(table.place("part"),
+              fmt::format("this [[geometry]] is for the same part as that of {}; a part has one",
+                          spoken(other->origin.of("part"))));
   if (geometry.part)
     surfaces.geometry_of_parts.push_back(std::move(geometry));
   else
@@ -92,8 +94,7 @@ void add_geometry(const TableReader& table, SurfaceSettings& surfaces) {
 
 CurveSettings curve_of(const TableReader& table) {
   CurveSettings curve;
-  curve.line = curve.surface.line = table.line();
-  curve.where_line = table.line("where");
+  curve.origin = curve.surface.origin = table.origin();
   curve.surface.kind = Kind::formula;
   table.read("where", curve.where);
   table.read("zero", curve.surface.zero);
@@ -102,10 +103,10 @@ CurveSettings curve_of(const TableReader& table) {
 
 SeamSettings seam_of(const TableReader& table) {
   SeamSettings seam;
-  seam.line = table.line();
+  seam.origin = table.origin();
   table.read("parts", seam.parts);
   if (seam.parts.size() < 2)
-    fail(table.place("parts"), "[[seam]] parts has one part; a seam ties two or more");
+    fail_with(table.place("parts"), "[[seam]] parts has one part; a seam ties two or more");
   return seam;
 }
 
@@ -135,7 +136,7 @@ SurfaceSettings parse_surfaces(std::string_view text, const std::filesystem::pat
   (void)TableReader(document, Table{}, name);  // every table is known
   SurfaceSettings surfaces = surfaces_in(document, file);
   if (!surfaces.geometry && surfaces.geometry_of_parts.empty())
-    fail({name}, "[geometry] is missing: an exact surface to place vertices on");
+    fail_with({name}, "[geometry] is missing: an exact surface to place vertices on");
   return surfaces;
 }
 

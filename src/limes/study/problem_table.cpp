@@ -14,15 +14,30 @@
 namespace limes::problem_file {
 namespace {
 
+/// Not to be taken for an integer: 4.0.
+std::string shown_real(double value) {
+  const std::string text = fmt::format("{}", value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 /// A value as a message shows it.
 std::string shown(const toml::node& value) {
   if (const auto text = value.value_exact<std::string>()) return quote(*text);
   if (const auto integer = value.value_exact<std::int64_t>()) return fmt::format("{}", *integer);
-  if (const auto real = value.value_exact<double>()) return fmt::format("{}", *real);
+  if (const auto real = value.value_exact<double>()) return shown_real(*real);
   if (const auto boolean = value.value_exact<bool>()) return *boolean ? "true" : "false";
   if (const toml::array* list = value.as_array())
     return list->empty() ? "an empty list" : fmt::format("a list of {}", list->size());
   return value.is_table() ? "a table" : "a date or time";
+}
+
+/// The value or the first entry of it that comes from an override; none: all is of the file.
+const toml::node* overridden(const toml::node& value) {
+  if (value.source().path) return &value;
+  if (const toml::array* const list = value.as_array())
+    for (const toml::node& entry : *list)
+      if (const toml::node* const found = overridden(entry)) return found;
+  return nullptr;
 }
 
 bool contains(const std::vector<std::string_view>& words, std::string_view word) {
@@ -31,20 +46,12 @@ bool contains(const std::vector<std::string_view>& words, std::string_view word)
 
 }  // namespace
 
-void fail(const Place& place, std::string_view what) {
-  if (place.is_override) throw UsageError("{}: {}", place.text, what);
-  throw InputError("{}: {}", place.text, what);
-}
-
 Place place_of(const toml::node& node, std::string_view file) {
   const toml::source_region& source = node.source();
   if (source.path) return {*source.path, true};
   if (!source.begin) return {std::string(file)};
-  return {fmt::format("{}:{}", file, source.begin.line)};
-}
-
-int line_of(const toml::node& node) {
-  return node.source().path ? 0 : static_cast<int>(node.source().begin.line);
+  return {fmt::format("{}:{}", file, source.begin.line), false,
+          static_cast<int>(source.begin.line)};
 }
 
 TableReader::TableReader(const toml::table& values, const Table& table, std::string_view file)
@@ -53,8 +60,8 @@ TableReader::TableReader(const toml::table& values, const Table& table, std::str
     check_known(key.str(), value);
   for (const Key& key : problem_keys())
     if (key.table == table.name && key.need == Need::required && !has(key.name))
-      fail(place(),
-           fmt::format("{} is missing: {}; {}", label(key.name), describe_value(key), key.help));
+      fail_with(place(), fmt::format("{} is missing: {}; {}", label(key.name), describe_value(key),
+                                     key.help));
 }
 
 /// How messages name a key: "[mesh] levels".
@@ -67,9 +74,13 @@ Place TableReader::place(std::string_view key) const {
   return place_of(value ? *value : *values_, file_);
 }
 
-int TableReader::line(std::string_view key) const {
-  const toml::node* const value = find(key);
-  return line_of(value ? *value : *values_);
+Origin TableReader::origin() const {
+  Origin out{place(), {}};
+  for (auto&& [key, value] : *values_) {
+    const toml::node* const changed = overridden(value);
+    out.keys.emplace(key.str(), place_of(changed ? *changed : value, file_));
+  }
+  return out;
 }
 
 const toml::node* TableReader::find(std::string_view key) const {
@@ -84,10 +95,10 @@ void TableReader::check_known(std::string_view name, const toml::node& value) co
   const Place where = place_of(value, file_);
   const std::vector<std::string_view> known = names_in(table_.name);
   if (later)
-    fail(where, fmt::format("{} is not available yet; available are {}",
-                            table ? written(*table) : label(name), fmt::join(known, ", ")));
+    fail_with(where, fmt::format("{} is not available yet; available are {}",
+                                 table ? written(*table) : label(name), fmt::join(known, ", ")));
   const std::string owner = table_.name.empty() ? "a problem" : written(table_);
-  fail(where, fmt::format("{} has no key {}; {}", owner, quote(name), suggest(name, known)));
+  fail_with(where, fmt::format("{} has no key {}; {}", owner, quote(name), suggest(name, known)));
 }
 
 std::string_view TableReader::chosen_key() const {
@@ -98,17 +109,17 @@ std::string_view TableReader::chosen_key() const {
     if (has(key.name)) given.push_back(key.name);
   }
   if (given.empty())
-    fail(place(), fmt::format("{} has none of {}; exactly one is right", written(table_),
-                              fmt::join(all, ", ")));
+    fail_with(place(), fmt::format("{} has none of {}; exactly one is right", written(table_),
+                                   fmt::join(all, ", ")));
   if (given.size() > 1)
-    fail(place(given[1]), fmt::format("{} has both {} and {}; exactly one is right",
-                                      written(table_), given[0], given[1]));
+    fail_with(place(given[1]), fmt::format("{} has both {} and {}; exactly one is right",
+                                           written(table_), given[0], given[1]));
   return given[0];
 }
 
 void TableReader::fail_value(const Key& key, const toml::node& value) const {
-  fail(place_of(value, file_),
-       fmt::format("{} is {}; it must be {}", label(key.name), shown(value), describe_value(key)));
+  fail_with(place_of(value, file_), fmt::format("{} is {}; it must be {}", label(key.name),
+                                                shown(value), describe_value(key)));
 }
 
 void TableReader::check_choice(const Key& key, const std::string& word,
@@ -116,18 +127,18 @@ void TableReader::check_choice(const Key& key, const std::string& word,
   const auto known = split_words(key.choices);
   if (contains(known, word)) return;
   if (contains(split_words(key.later_choices), word))
-    fail(place_of(value, file_), fmt::format("{} '{}' is not available yet; available are {}",
-                                             label(key.name), word, fmt::join(known, ", ")));
-  fail(place_of(value, file_),
-       fmt::format("{} is {}; {}", label(key.name), quote(word), suggest(word, known)));
+    fail_with(place_of(value, file_), fmt::format("{} '{}' is not available yet; available are {}",
+                                                  label(key.name), word, fmt::join(known, ", ")));
+  fail_with(place_of(value, file_),
+            fmt::format("{} is {}; {}", label(key.name), quote(word), suggest(word, known)));
 }
 
 double TableReader::number(const Key& key, const toml::node& value) const {
   if (!value.is_number()) fail_value(key, value);
   const double result = to_double(value);
   if (!std::isfinite(result))
-    fail(place_of(value, file_),
-         fmt::format("{} is {}; it must be finite", label(key.name), shown(value)));
+    fail_with(place_of(value, file_),
+              fmt::format("{} is {}; it must be finite", label(key.name), shown(value)));
   if (!key.range.contains(result)) fail_value(key, value);
   return result;
 }
@@ -138,7 +149,7 @@ Expression TableReader::formula(const Key& key, const toml::node& value) const {
   try {
     return Expression(*text);
   } catch (const InputError& error) {
-    fail(place_of(value, file_), fmt::format("{}: {}", label(key.name), error.what()));
+    fail_with(place_of(value, file_), fmt::format("{}: {}", label(key.name), error.what()));
   }
 }
 
@@ -160,12 +171,12 @@ void TableReader::read(std::string_view name, std::string& value) const {
   if (!text) fail_value(key, *node);
   if (key.type == ValueType::name) check_choice(key, *text, *node);
   if (key.type == ValueType::text && trim(*text).empty())
-    fail(place_of(*node, file_), fmt::format("{} is empty", label(name)));
+    fail_with(place_of(*node, file_), fmt::format("{} is empty", label(name)));
   if (key.type == ValueType::selection) {
     try {
       (void)parse_where(*text);
     } catch (const InputError& error) {
-      fail(place_of(*node, file_), fmt::format("{}: {}", label(name), error.what()));
+      fail_with(place_of(*node, file_), fmt::format("{}: {}", label(name), error.what()));
     }
   }
   value = *text;
@@ -182,7 +193,7 @@ void TableReader::read(std::string_view name, std::vector<std::string>& value) c
     if (!word) fail_value(key, *entry);
     if (key.type == ValueType::names) check_choice(key, *word, *entry);
     if (std::find(words.begin(), words.end(), *word) != words.end())
-      fail(place_of(*entry, file_), fmt::format("{} has '{}' twice", label(name), *word));
+      fail_with(place_of(*entry, file_), fmt::format("{} has '{}' twice", label(name), *word));
     words.push_back(*word);
   }
   value = words;
@@ -252,33 +263,36 @@ std::vector<TableReader> tables_of(const toml::table& document, std::string_view
   const toml::node* const node = document.get(name);
   if (!node) {
     if (table.need == Need::required)
-      fail({std::string(file)}, fmt::format("{} is missing: {}", written(table), table.help));
+      fail_with({std::string(file)}, fmt::format("{} is missing: {}", written(table), table.help));
     return {};
   }
   const Place where = place_of(*node, file);
   if (const toml::table* values = node->as_table()) {
     if (table.form == TableForm::list)
-      fail(where, fmt::format("there may be several {0}; write {0}", written(table)));
+      fail_with(where, fmt::format("there may be several {0}; write {0}", written(table)));
     return {TableReader(*values, table, file)};
   }
   const toml::array* const list = node->as_array();
   if (!list || table.form == TableForm::single)
-    fail(where, fmt::format("{} is no table; write [{}]", name, name));
-  if (list->empty()) fail(where, fmt::format("{} is an empty list", name));
+    fail_with(where, fmt::format("{} is no table; write [{}]", name, name));
+  if (list->empty()) fail_with(where, fmt::format("{} is an empty list", name));
   std::vector<TableReader> result;
   for (const toml::node& entry : *list) {
     if (!entry.is_table())
-      fail(place_of(entry, file), fmt::format("{} is a list of tables; write [[{}]]", name, name));
+      fail_with(place_of(entry, file),
+                fmt::format("{} is a list of tables; write [[{}]]", name, name));
     result.emplace_back(*entry.as_table(), table, file);
   }
   return result;
 }
 
 void refuse_keys(const TableReader& table, std::string_view name,
-                 std::initializer_list<std::string_view> keys, std::string_view whose) {
+                 std::initializer_list<std::string_view> keys, std::string_view whose,
+                 const Place& reason) {
   for (const std::string_view key : keys)
     if (table.has(key))
-      fail(table.place(key), fmt::format("[{}] {} is no key of {}; remove it", name, key, whose));
+      fail_with(culprit(table.place(key), {reason}),
+                fmt::format("[{}] {} is no key of {}; remove it", name, key, whose));
 }
 
 }  // namespace limes::problem_file

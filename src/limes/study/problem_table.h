@@ -8,24 +8,14 @@
 
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
+#include "limes/study/place.h"
 #include "limes/study/problem_keys.h"
 #include "limes/study/toml.h"
 
 namespace limes::problem_file {
 
-/// Where a problem says something: "FILE:LINE", or an override as it was typed.
-struct Place {
-  std::string text;
-  bool is_override = false;
-};
-
-/// @throws UsageError for an override, else InputError: "PLACE: what"
-[[noreturn]] void fail(const Place& place, std::string_view what);
-
 /// Nodes that come from overrides carry the override as the path of their source.
 [[nodiscard]] Place place_of(const toml::node& node, std::string_view file);
-/// Line in the file, 0 for what comes from an override.
-[[nodiscard]] int line_of(const toml::node& node);
 
 /// One table of a problem file, checked key by key against problem_keys.h. Keeps references.
 class TableReader {
@@ -35,10 +25,9 @@ class TableReader {
   TableReader(const toml::table& values, const Table& table, std::string_view file);
 
   [[nodiscard]] bool has(std::string_view key) const { return values_->contains(key); }
-  [[nodiscard]] int line() const { return line_of(*values_); }
   /// Of the key if it is there, else of the table.
   [[nodiscard]] Place place(std::string_view key = {}) const;
-  [[nodiscard]] int line(std::string_view key) const;
+  [[nodiscard]] Origin origin() const;
   /// The one key of those marked Need::one_of; checked to be there and alone.
   [[nodiscard]] std::string_view chosen_key() const;
 
@@ -75,7 +64,9 @@ class TableReader {
                                                  std::string_view file);
 
 /// For keys that mean nothing to the kind that the table names.
+/// @param reason  where that kind was said
 void refuse_keys(const TableReader& table, std::string_view name,
-                 std::initializer_list<std::string_view> keys, std::string_view whose);
+                 std::initializer_list<std::string_view> keys, std::string_view whose,
+                 const Place& reason);
 
 }  // namespace limes::problem_file

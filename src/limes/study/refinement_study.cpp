@@ -96,6 +96,18 @@ RefinementStudy read_refinement_study(const toml::table& document,
 
 namespace {
 
+/// Work on a problem with the changes of a strategy, which the study's line is to blame for.
+template <class Work>
+auto with_overrides(const RefinementStrategy& strategy, const Work& work) {
+  try {
+    return work();
+  } catch (const UsageError& error) {
+    throw InputError("{}: strategy '{}': {}", strategy.place, strategy.name, error.what());
+  } catch (const SolverError& error) {
+    throw SolverError("{}: strategy '{}': {}", strategy.place, strategy.name, error.what());
+  }
+}
+
 Problem problem_of(const RefinementStudy& study, const RefinementStrategy& strategy,
                    const std::optional<int>& level) {
   const auto fail = [&](const std::string& what) {
@@ -103,12 +115,8 @@ Problem problem_of(const RefinementStudy& study, const RefinementStrategy& strat
   };
   std::vector<std::string> overrides = strategy.overrides;
   if (level) overrides.push_back(fmt::format("mesh.levels={}", *level));
-  Problem problem;
-  try {
-    problem = read_problem(strategy.problem, overrides);
-  } catch (const UsageError& error) {
-    fail(error.what());
-  }
+  Problem problem =
+      with_overrides(strategy, [&] { return read_problem(strategy.problem, overrides); });
   if (problem.model.kind != ModelKind::mitc4)
     fail(fmt::format("{} is no shell; a [refinement] study compares shells, kind \"mitc4\"",
                      problem.file.string()));
@@ -131,10 +139,26 @@ void require_passed(const RefinementStrategy& strategy, const ShellResult& resul
           strategy.place, strategy.name, c.name, c.value, c.limit);
 }
 
+/// Names the strategy whose problem is refused.
+void check_size(const RefinementStrategy& strategy, const Problem& problem,
+                const ModelOptions& options) {
+  if (!options.check_size) return;
+  ModelOptions named = options;
+  named.check_size = [&](const Problem& p, const Mesh& control) {
+    try {
+      options.check_size(p, control);
+    } catch (const InputError& error) {
+      throw InputError("{}: strategy '{}': {}", strategy.place, strategy.name, error.what());
+    }
+  };
+  (void)read_control_mesh(problem, named);
+}
+
 }  // namespace
 
 std::vector<RefinementCurve> run(const RefinementStudy& study,
-                                 const std::function<void(const std::string&)>& on_run) {
+                                 const std::function<void(const std::string&)>& on_run,
+                                 const ModelOptions& options) {
   // All problems are read before the first is solved.
   std::vector<std::vector<Problem>> problems;
   for (const RefinementStrategy& strategy : study.strategies) {
@@ -142,6 +166,8 @@ std::vector<RefinementCurve> run(const RefinementStudy& study,
     if (strategy.levels.empty()) of_strategy.push_back(problem_of(study, strategy, {}));
     for (const int level : strategy.levels)
       of_strategy.push_back(problem_of(study, strategy, level));
+    for (const Problem& problem : of_strategy)
+      check_size(strategy, problem, options);
   }
   std::vector<RefinementCurve> out;
   for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -150,12 +176,13 @@ std::vector<RefinementCurve> run(const RefinementStudy& study,
     curve.name = strategy.name;
     for (const Problem& problem : problems[i]) {
       if (on_run) on_run(fmt::format("{}, levels = {}", strategy.name, problem.mesh.levels));
-      const ShellResult result = run_shell_problem(
-          problem, {}, {}, [&](const ShellModel& model, const ShellSolution& solution) {
-            if (curve.points.empty()) curve.first = *model.mesh;
-            curve.points.push_back(point_of(study, model, solution));
-            curve.last = *model.mesh;
-          });
+      const auto keep = [&](const ShellModel& model, const ShellSolution& solution) {
+        if (curve.points.empty()) curve.first = *model.mesh;
+        curve.points.push_back(point_of(study, model, solution));
+        curve.last = *model.mesh;
+      };
+      const ShellResult result =
+          with_overrides(strategy, [&] { return run_shell_problem(problem, options, {}, keep); });
       require_passed(strategy, result);
     }
   }

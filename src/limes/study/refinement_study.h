@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limes/mesh/mesh.h"
+#include "limes/study/control_mesh.h"
 #include "limes/study/result_parts.h"
 #include "limes/study/toml_document.h"
 
@@ -52,11 +53,13 @@ struct RefinementCurve {
   Mesh first, last;
 };
 
-/// @param on_run  called with the name of what begins
+/// @param on_run   called with the name of what begins
+/// @param options  all sizes are checked before the first problem is solved
 /// @throws InputError naming the strategy: as the problems, and for one that is no shell or lacks the
 ///         probe; SolverError for a solution with a failed check
 [[nodiscard]] std::vector<RefinementCurve> run(
-    const RefinementStudy& study, const std::function<void(const std::string&)>& on_run = {});
+    const RefinementStudy& study, const std::function<void(const std::string&)>& on_run = {},
+    const ModelOptions& options = {});
 
 /// strategy, unknowns, elements, energy, displacement, and relative errors where there is a reference.
 [[nodiscard]] Table to_table(const RefinementStudy& study,

@@ -161,8 +161,9 @@ class RigidMotions {
     std::size_t most = 0;  // the body that moves most
     for (std::size_t k = 0; k < own.size(); ++k)
       if (part(motion, k).norm() > (1 + 1e-6) * part(motion, most).norm()) most = k;
-    throw InputError("{}: the model can still {}; hold it there with a [[support]]",
-                     model_.problem.file.string(), describe(part(motion, most), own[most]));
+    fail_at(place_of_supports(model_.problem),
+            "the model can still {}; hold it there with a [[support]]",
+            describe(part(motion, most), own[most]));
   }
   static Vec3 part(const VectorX& motion, std::size_t k) {
     return motion.segment<3>(static_cast<Eigen::Index>(3 * k));

@@ -11,6 +11,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/mesh/defects.h"
+#include "limes/study/refine_control.h"
 #include "limes/study/shell_error.h"
 #include "limes/study/shell_finer.h"
 #include "limes/study/shell_forest.h"
@@ -54,10 +55,11 @@ class Phases {
 
 void require_kept_faces(const Problem& problem, const Tags& tags) {
   if (tags.boundary == BoundaryRule::none)
-    throw InputError(
-        "{}:{}: [adapt] refines all faces, but {} has the boundary rule none, which drops those at "
+    fail_at(
+        problem.adapt->origin.table,
+        "[adapt] refines all faces, but {} has the boundary rule none, which drops those at "
         "the boundary; right is edges or edges-and-corners, 't interpolateboundary 1/0/0 2' or 1",
-        problem.file.string(), problem.adapt->line, mesh_path(problem).string());
+        mesh_path(problem).string());
 }
 
 /// The mesh of a step with every face split as often as reference_levels says, and what hangs there.
@@ -83,8 +85,8 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
   require_refinable(file.mesh, mesh_path(problem).string());
   require_kept_faces(problem, file.mesh.tags);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  Forest forest =
-      plane_forest(problem, refine(file.mesh, scheme, {.levels = problem.mesh.levels}), scheme);
+  Forest forest = plane_forest(
+      problem, refine_control(problem, file.mesh, {.levels = problem.mesh.levels}), scheme);
   const Problem step = step_problem(problem);
   int number = 0;
   result.adaptive =

@@ -89,16 +89,16 @@ std::vector<FaceId> faces_in_groups(const std::vector<FaceGroup>& groups, const 
 }
 
 Selection::Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<const Vec3> points,
-                     std::string_view where, std::string_view file, int line)
+                     std::string_view where, Place place)
     : mesh_(&mesh),
       adjacency_(&adjacency),
-      place_(line ? fmt::format("{}:{}", file, line) : std::string(file)),
+      place_(std::move(place)),
       vertices_(static_cast<std::size_t>(mesh.topology.num_vertices()), false) {
   LIMES_ASSERT(points.size() == vertices_.size());
   try {
     where_ = parse_where(where);
   } catch (const InputError& error) {
-    throw InputError("{}: where: {}", place_, error.what());
+    fail_at(place_, "where: {}", error.what());
   }
   switch (where_.kind) {
     case Where::Kind::all:
@@ -124,7 +124,7 @@ Selection::Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<con
 }
 
 void Selection::fail(const std::string& what) const {
-  throw InputError("{}: where = {} {}", place_, quote(where_.text), what);
+  fail_at(place_, "where = {} {}", quote(where_.text), what);
 }
 
 bool Selection::used(std::size_t vertex) const {
@@ -149,7 +149,7 @@ void Selection::select_group(const std::vector<FaceGroup>& groups) {
         vertices_[static_cast<std::size_t>(v.value)] = true;
     }
   } catch (const InputError& error) {
-    throw InputError("{}: {}", place_, error.what());
+    fail_at(place_, "{}", error.what());
   }
 }
 
@@ -177,7 +177,7 @@ void Selection::select_condition(std::span<const Vec3> points) {
     try {
       vertices_[v] = condition(points[v]);
     } catch (const InputError& error) {
-      throw InputError("{}: {}", place_, error.what());
+      fail_at(place_, "{}", error.what());
     }
     any = any || vertices_[v];
   }

@@ -7,6 +7,7 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
+#include "limes/study/place.h"
 
 namespace limes {
 
@@ -36,10 +37,10 @@ class Selection {
  public:
   /// @param adjacency  of mesh.topology
   /// @param points     limit position of every vertex
-  /// @param file,line  where the problem says `where`, for messages; line 0: unknown
-  /// @throws InputError if it selects no vertex, with what there is to select
+  /// @param place  of `where`, for messages
+  /// @throws InputError, UsageError (for an override) if it selects no vertex, with what there is to select
   Selection(const Mesh& mesh, const Adjacency& adjacency, std::span<const Vec3> points,
-            std::string_view where, std::string_view file, int line);
+            std::string_view where, Place place);
 
   /// For every vertex whether it is selected; those of a group are the corners of its faces.
   [[nodiscard]] const std::vector<bool>& vertices() const { return vertices_; }
@@ -60,7 +61,7 @@ class Selection {
   const Mesh* mesh_;
   const Adjacency* adjacency_;
   Where where_;
-  std::string place_;
+  Place place_;
   std::vector<bool> vertices_;
   std::vector<bool> faces_;  // only for groups and parts
 };

@@ -37,7 +37,7 @@ ShellModel finer_hanging_model(const ShellModel& model, const ShellForest& shell
     ForestMesh split = forest_mesh(forest, Closure::hanging);
     tied = tied_edges(forest, split, shell.seams);
     if (problem.mesh.smoothing > 0)  // the forest does not know where vertices have gone
-      place_children(problem, fine,
+      place_children(fine,
                      surfaces_of_vertices(problem, split.mesh, tied,
                                           edges_in_forest(forest, split, shell.curves)),
                      split);

@@ -2,9 +2,9 @@
 
 #include "limes/core/error.h"
 #include "limes/study/adaptive.h"
+#include "limes/study/refine_control.h"
 #include "limes/study/shell_model.h"
 #include "limes/study/shell_placement.h"
-#include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 
 namespace limes {
@@ -19,9 +19,8 @@ int levels_before(const Problem& problem, const Mesh& control, bool is_tied) {
     if (t.face_size(FaceId(f)) != 4) before = 1;
   const int least = before + (is_tied && split_unit(problem) == SplitUnit::families ? 1 : 0);
   if (problem.mesh.levels < least)
-    throw InputError("{}:{}: [adapt] needs levels of {} or more here{}", problem.file.string(),
-                     problem.mesh.line, least,
-                     before == 1 ? ": the mesh has faces that are no quads" : ": there are seams");
+    fail_at(problem.mesh.origin.of("levels"), "[adapt] needs levels of {} or more here{}", least,
+            before == 1 ? ": the mesh has faces that are no quads" : ": there are seams");
   return before;
 }
 
@@ -39,9 +38,9 @@ ShellForest shell_forest(const Problem& problem, const Mesh& control) {
   if (exact)
     start = refined_on_surfaces(problem, control, before);
   else
-    start =
-        refine(problem.mesh.smooth_start > 0 ? refined_on_surfaces(problem, control, 0) : control,
-               scheme, options);
+    start = refine_control(
+        problem, problem.mesh.smooth_start > 0 ? refined_on_surfaces(problem, control, 0) : control,
+        options);
   options.levels = 0;
   ShellForest out{
       Forest(start, exact ? find_scheme("linear") : scheme, options, split_unit(problem), {},

@@ -30,7 +30,7 @@ class ShellLoad {
       : model_(model),
         load_(load),
         chosen_(*model.mesh, *model.adjacency, model.mesh->points.span(), load.where,
-                model.problem.file.string(), load.where_line) {}
+                load.origin.of("where")) {}
 
   void add_to(VectorX& f) const {
     switch (load_.kind) {
@@ -54,8 +54,8 @@ class ShellLoad {
     if (load_.kind != LoadKind::force_per_length) return {};
     const std::vector<HalfedgeId> chosen = chosen_.boundary_edges();
     if (chosen.empty())
-      throw error(fmt::format(
-          "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where));
+      fail_at(load_.origin.of("where"),
+              "'{}' selects no boundary edge; both ends of an edge must be selected", load_.where);
     std::vector<HalfedgeId> out;
     std::set<std::pair<VertexId, VertexId>> loaded;  // tied edges once
     for (const HalfedgeId h : chosen) {
@@ -72,8 +72,8 @@ class ShellLoad {
       return {};
     std::vector<FaceId> out = chosen_.faces();
     if (out.empty())
-      throw error(fmt::format("'{}' selects no face; all vertices of a face must be selected",
-                              load_.where));
+      fail_at(load_.origin.of("where"),
+              "'{}' selects no face; all vertices of a face must be selected", load_.where);
     return out;
   }
   [[nodiscard]] Vec3 per_length(HalfedgeId side, const Vec3& x) const {
@@ -91,14 +91,11 @@ class ShellLoad {
   }
 
  private:
-  [[nodiscard]] InputError error(const std::string& what) const {
-    return InputError("{}:{}: {}", model_.problem.file.string(), load_.line, what);
-  }
   [[nodiscard]] double component(std::size_t i, const Vec3& x) const {
     const double value = load_.value[i](x);
     if (!std::isfinite(value))
-      throw error(fmt::format("'{}' has no finite value at ({:.6g}, {:.6g}, {:.6g})",
-                              load_.value[i].text(), x.x(), x.y(), x.z()));
+      fail_at(place_of_value(load_), "'{}' has no finite value at ({:.6g}, {:.6g}, {:.6g})",
+              load_.value[i].text(), x.x(), x.y(), x.z());
     return value;
   }
   [[nodiscard]] Vec3 value(const Vec3& x) const {
@@ -109,10 +106,11 @@ class ShellLoad {
     if (!model_.smooth[v]) return;
     const double about = moment.dot(model_.director[model_.adjacency->ring_start(v)]);
     if (std::abs(about) > 1e-9 * moment.norm())
-      throw error(
-          fmt::format("the moment at vertex {} has the part {:.6g} about the shell's normal, "
-                      "which a smooth shell does not carry; take it out",
-                      v.value, about));
+      fail_at(
+          place_of_value(load_),
+          "the moment at vertex {} has the part {:.6g} about the shell's normal, which a smooth "
+          "shell does not carry; take it out",
+          v.value, about);
   }
 
   void at_vertices(VectorX& f) const {

@@ -12,8 +12,10 @@
 #include "limes/core/error.h"
 #include "limes/limit/limit_surface.h"
 #include "limes/mesh/defects.h"
+#include "limes/mesh/face_error.h"
 #include "limes/study/exact_surface.h"
 #include "limes/study/materials.h"
+#include "limes/study/refine_control.h"
 #include "limes/study/shell_directors.h"
 #include "limes/study/shell_placement.h"
 #include "limes/study/shell_smoothing.h"
@@ -29,7 +31,7 @@ void require_quads(const Mesh& mesh, const std::string& file) {
     if (t.face_size(FaceId(f)) != 4)
       throw InputError(
           "{}: face {} has {} corners; elements of kind \"mitc4\" have 4, levels = 1 makes them",
-          file, f, t.face_size(FaceId(f)));
+          place_of(mesh, FaceId(f), file), f, t.face_size(FaceId(f)));
 }
 
 /// Area vectors of the bilinear face at its corners; between them they are linear.
@@ -129,7 +131,7 @@ void set_exact_directors(ShellModel& model, const IdArray<HalfedgeId, Vec3>& cor
         const Vec3 n = outward_normal(*surface, model.mesh->points[t.corner(h)]);
         model.director[h] = n.dot(corner_normal[h]) < 0 ? Vec3(-n) : n;
       } catch (const InputError& error) {
-        throw InputError("{}:{}: {}", model.problem.file.string(), surface->line, error.what());
+        fail_at(surface->origin.override_or_table(), "{}", error.what());
       }
     }
   }
@@ -190,8 +192,7 @@ void set_materials(ShellModel& model) {
       materials_of_faces(problem, *model.mesh, *model.adjacency, model.mesh->points.span());
   for (std::size_t f = 0; f < model.material_of_face.size(); ++f)
     if (model.material_of_face[f] < 0)
-      throw InputError("{}: face {} of the refined mesh has no material; give one without 'where'",
-                       problem.file.string(), f);
+      fail_no_material(problem, FaceId(static_cast<std::int64_t>(f)));
 }
 
 /// Makes hanging vertices corners of the faces in whose sides they are.
@@ -257,14 +258,14 @@ void require_shell_control(const Problem& problem, const Mesh& control) {
   require_surface(control, file);
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
   if (scheme.split != Split::quads || !(has_exact_limit(scheme) || scheme.interpolatory))
-    throw InputError(
-        "{}:{}: scheme \"{}\" gives no quads with points on its surface; kind \"mitc4\" takes "
-        "catmull-clark, kobbelt or linear",
-        problem.file.string(), problem.mesh.line, problem.mesh.scheme);
+    fail_at(culprit(problem.mesh.origin.of("scheme"), {problem.model.origin.of("kind")}),
+            "scheme \"{}\" gives no quads with points on its surface; kind \"mitc4\" takes "
+            "catmull-clark, kobbelt or linear",
+            problem.mesh.scheme);
   if (!control.tags.holes.empty())
     throw InputError(
         "{}: face {} is a hole; kind \"mitc4\" knows no hole faces, leave them out of the mesh",
-        file, control.tags.holes.front().value);
+        place_of(control, control.tags.holes.front(), file), control.tags.holes.front().value);
 }
 
 ShellModel shell_model_on(const Problem& problem, Mesh mesh, const std::vector<TiedEdge>& tied,
@@ -281,7 +282,7 @@ ShellModel build_shell_model(const Problem& problem, Mesh control) {
   const BoundaryRule boundary = control.tags.boundary.value_or(BoundaryRule::edges);
   Mesh mesh = problem.mesh.exact
                   ? refined_on_surfaces(problem, control, levels)
-                  : refine(control, scheme, {.levels = levels, .boundary = boundary});
+                  : refine_control(problem, control, {.levels = levels, .boundary = boundary});
   const std::string file = mesh_path(problem).string();
   require_quads(mesh, file);
   if (problem.mesh.smoothing > 0 && !problem.mesh.exact)

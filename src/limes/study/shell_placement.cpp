@@ -43,12 +43,11 @@ std::vector<double> areas_in_forest(const Forest& forest, const ForestMesh& mesh
   return out;
 }
 
-void require_quads(const Problem& problem, const Mesh& mesh) {
+void require_quads(const Problem& problem, const char* key, const Mesh& mesh) {
   for (int f = 0; f < mesh.topology.num_faces(); ++f)
     if (mesh.topology.face_size(FaceId(f)) != 4)
-      throw InputError("{}:{}: smooth_start takes quads; face {} of {} has {} corners",
-                       problem.file.string(), problem.mesh.line, f, mesh_path(problem).string(),
-                       mesh.topology.face_size(FaceId(f)));
+      fail_at(problem.mesh.origin.of(key), "{} takes quads; face {} of {} has {} corners", key, f,
+              mesh_path(problem).string(), mesh.topology.face_size(FaceId(f)));
 }
 
 /// Vertices of the quads of the coarse mesh, whose sides are placed.
@@ -68,11 +67,10 @@ void start_between_sides(const Adjacency& coarse, Mesh& mesh) {
 }
 
 /// Vertices from `first` to before `last` on their surfaces.
-void place(const Problem& problem, const std::vector<SurfaceList>& surfaces, int first, int last,
-           Mesh& mesh) {
+void place(const std::vector<SurfaceList>& surfaces, int first, int last, Mesh& mesh) {
   for (int v = first; v < last; ++v)
     mesh.points[VertexId(v)] =
-        placed(problem, surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
+        placed(surfaces[static_cast<std::size_t>(v)], mesh.points[VertexId(v)]);
 }
 
 /// Splits every face; new vertices start halfway between others. Edges that are tied or follow a curve
@@ -88,9 +86,9 @@ std::vector<SurfaceList> split_on_surfaces(const Problem& problem, std::vector<T
   mesh = refine(mesh, find_scheme("linear"), {.levels = 1});
   auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
   const int first_of_faces = coarse.num_vertices() + adjacency.num_edges();
-  place(problem, surfaces, coarse.num_vertices(), first_of_faces, mesh);
+  place(surfaces, coarse.num_vertices(), first_of_faces, mesh);
   start_between_sides(adjacency, mesh);
-  place(problem, surfaces, first_of_faces, mesh.points.size(), mesh);
+  place(surfaces, first_of_faces, mesh.points.size(), mesh);
   return surfaces;
 }
 
@@ -101,19 +99,22 @@ Mesh refined_on_surfaces(const Problem& problem, Mesh mesh, int levels) {
   std::vector<TiedEdge> tied = seams_of(problem, mesh);
   auto curves = curve_edges(problem, mesh, 0);
   auto surfaces = surfaces_of_vertices(problem, mesh, tied, curves);
-  const auto smooth = [&](const std::vector<double>& areas, int sweeps) {
+  const auto smooth = [&](const char* key, const std::vector<double>& areas, int sweeps) {
     if (sweeps == 0) return;
-    require_quads(problem, mesh);
+    require_quads(problem, key, mesh);
     improve_shapes(problem, mesh, areas, surfaces, tied, sweeps);
   };
-  place(problem, surfaces, 0, mesh.points.size(), mesh);
+  place(surfaces, 0, mesh.points.size(), mesh);
+  require_faces_with_area(mesh, geometry_of_faces(problem, mesh), [&](FaceId f) {
+    return fmt::format("face {} of {}", f.value, mesh_path(problem).string());
+  });
   // What faces should have: equal parts of those of the control mesh.
   std::vector<double> areas = face_areas(mesh);
-  smooth(areas, problem.mesh.smooth_start);
+  smooth("smooth_start", areas, problem.mesh.smooth_start);
   for (int level = 0; level < levels; ++level) {
     areas = areas_of_children(mesh.topology, areas);
     surfaces = split_on_surfaces(problem, tied, curves, mesh);
-    smooth(areas, problem.mesh.smoothing);
+    smooth("smoothing", areas, problem.mesh.smoothing);
   }
   return mesh;
 }
@@ -157,8 +158,8 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
                  mesh.hanging);
 }
 
-void place_children(const Problem& problem, const ForestMesh& coarse,
-                    const std::vector<SurfaceList>& surfaces, ForestMesh& split) {
+void place_children(const ForestMesh& coarse, const std::vector<SurfaceList>& surfaces,
+                    ForestMesh& split) {
   std::map<VertexId, VertexId> in_coarse;  // by number in the forest
   for (std::size_t v = 0; v < coarse.nodes.size(); ++v)
     in_coarse[coarse.nodes[v]] = VertexId(v);
@@ -171,7 +172,7 @@ void place_children(const Problem& problem, const ForestMesh& coarse,
     }
   const auto put = [&](VertexId v, const Vec3& near) {
     const auto at = static_cast<std::size_t>(v.value);
-    if (!stays[at]) x[v] = placed(problem, surfaces[at], near);
+    if (!stays[at]) x[v] = placed(surfaces[at], near);
   };
   for (int f = 0; f < coarse.mesh.topology.num_faces(); ++f) {
     std::array<Vec3, 4> corners, middles;
@@ -194,12 +195,12 @@ void require_coincident(const Problem& problem, const Mesh& mesh,
     for (std::size_t i = 0; i < 2; ++i) {
       const double d = (mesh.points[e.ends[i]] - mesh.points[e.tied[i]]).norm();
       if (d > 1e-9 * diagonal)
-        throw InputError(
-            "{}:{}: after refinement the tied vertices {} and {} are {:.6g} apart; the boundary "
-            "curves of the parts differ: tag the ends of the seam as corners",
-            problem.file.string(),
-            problem.seams.empty() ? problem.mesh.line : problem.seams.front().line, e.ends[i].value,
-            e.tied[i].value, d);
+        fail_at(
+            problem.seams.empty() ? problem.mesh.origin.of("junctions")
+                                  : problem.seams.front().origin.table,
+            "after refinement the tied vertices {} and {} are {:.6g} apart; the boundary curves "
+            "of the parts differ: tag the ends of the seam as corners",
+            e.ends[i].value, e.tied[i].value, d);
     }
 }
 

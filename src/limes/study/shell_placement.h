@@ -44,8 +44,8 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
 /// @param coarse    of a forest, with vertices anywhere on their surfaces
 /// @param surfaces  what every vertex of `split` lies on
 /// @param split     of the same forest with every leaf split once
-void place_children(const Problem& problem, const ForestMesh& coarse,
-                    const std::vector<SurfaceList>& surfaces, ForestMesh& split);
+void place_children(const ForestMesh& coarse, const std::vector<SurfaceList>& surfaces,
+                    ForestMesh& split);
 
 /// @throws InputError naming two tied vertices of the refined mesh that are not in one place
 void require_coincident(const Problem& problem, const Mesh& mesh,

@@ -38,25 +38,26 @@ IdArray<VertexId, char> staying_nodes(const Problem& problem, const Mesh& mesh,
   return out;
 }
 
-/// Every `where` that is looked up in the refined mesh, with its line.
-std::vector<std::pair<std::string, int>> selections_of(const Problem& problem) {
-  std::vector<std::pair<std::string, int>> out;
+/// Every `where` that is looked up in the refined mesh, with its place.
+std::vector<std::pair<std::string, Place>> selections_of(const Problem& problem) {
+  std::vector<std::pair<std::string, Place>> out;
   for (const MaterialSettings& m : problem.materials)
-    if (m.where) out.emplace_back(*m.where, m.where_line);
+    if (m.where) out.emplace_back(*m.where, m.origin.of("where"));
   for (const SupportSettings& s : problem.supports)
-    out.emplace_back(s.where, s.where_line);
+    out.emplace_back(s.where, s.origin.of("where"));
   for (const LoadSettings& l : problem.loads)
-    out.emplace_back(l.where, l.where_line);
+    out.emplace_back(l.where, l.origin.of("where"));
   return out;
 }
 
 /// Empty if there are none, as may be on a coarse mesh.
-std::vector<bool> chosen_vertices(const Problem& problem, const Mesh& mesh,
-                                  const Adjacency& adjacency, const std::string& where, int line) {
+std::vector<bool> chosen_vertices(const Mesh& mesh, const Adjacency& adjacency,
+                                  const std::string& where, const Place& place) {
   try {
-    return Selection(mesh, adjacency, mesh.points.span(), where, problem.file.string(), line)
-        .vertices();
+    return Selection(mesh, adjacency, mesh.points.span(), where, place).vertices();
   } catch (const InputError&) {
+    return {};
+  } catch (const UsageError&) {  // of an override
     return {};
   }
 }
@@ -75,8 +76,8 @@ Vec3 nearest(const Surfaces& surfaces, const Vec3& x) {
 IdArray<VertexId, char> held_by_selections(const Problem& problem, const Mesh& mesh) {
   const Adjacency adjacency(mesh.topology);
   IdArray<VertexId, char> out(static_cast<std::size_t>(mesh.topology.num_vertices()), 0);
-  for (const auto& [where, line] : selections_of(problem)) {
-    const std::vector<bool> chosen = chosen_vertices(problem, mesh, adjacency, where, line);
+  for (const auto& [where, place] : selections_of(problem)) {
+    const std::vector<bool> chosen = chosen_vertices(mesh, adjacency, where, place);
     if (chosen.empty()) continue;
     const auto in = [&](VertexId v) { return chosen[static_cast<std::size_t>(v.value)]; };
     for (int i = 0; i < mesh.topology.num_corners(); ++i) {

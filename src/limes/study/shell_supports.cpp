@@ -94,20 +94,16 @@ void add_kind(const SupportSettings& support, const EdgeEnd& end, SupportRows& r
 }
 
 Selection selected(const ShellModel& model, const SupportSettings& support) {
-  return {*model.mesh,
-          *model.adjacency,
-          model.mesh->points.span(),
-          support.where,
-          model.problem.file.string(),
-          support.where_line};
+  return {*model.mesh, *model.adjacency, model.mesh->points.span(), support.where,
+          support.origin.of("where")};
 }
 
 /// Of a support of a kind.
 std::vector<HalfedgeId> chosen_edges(const ShellModel& model, const SupportSettings& support) {
   const std::vector<HalfedgeId> edges = selected(model, support).boundary_edges();
   if (edges.empty())
-    throw InputError("{}:{}: '{}' selects no boundary edge; both ends of an edge must be selected",
-                     model.problem.file.string(), support.where_line, support.where);
+    fail_at(support.origin.of("where"),
+            "'{}' selects no boundary edge; both ends of an edge must be selected", support.where);
   return edges;
 }
 
@@ -204,9 +200,9 @@ std::vector<std::string> remarks_on_symmetry(const ShellModel& model) {
     }
     if (slant > most_slant)
       out.push_back(fmt::format(
-          "{}:{}: symmetry at '{}' holds too firmly: at vertex {} the director leaves the plane of "
+          "{}: symmetry at '{}' holds too firmly: at vertex {} the director leaves the plane of "
           "the edges by {:.0f} degrees; name a [geometry], or model both halves",
-          model.problem.file.string(), support.where_line, support.where, worst.value,
+          support.origin.of("where").text, support.where, worst.value,
           slant * 180 / std::numbers::pi));
   }
   return out;
@@ -291,10 +287,10 @@ void require_no_rigid_motion(const ShellModel& model, const ShellConstraints& su
     Eigen::Index largest = 0;
     free.cwiseAbs().maxCoeff(&largest);
     constexpr std::array axes{"x", "y", "z"};
-    throw InputError(
-        "{}: the supports leave the piece of the mesh with vertex {} free to {} {}; hold it there",
-        model.problem.file.string(), p, largest < 3 ? "move along" : "turn about",
-        axes[static_cast<std::size_t>(largest % 3)]);
+    fail_at(place_of_supports(model.problem),
+            "the supports leave the piece of the mesh with vertex {} free to {} {}; hold it there",
+            p, largest < 3 ? "move along" : "turn about",
+            axes[static_cast<std::size_t>(largest % 3)]);
   }
 }
 

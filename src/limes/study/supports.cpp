@@ -69,13 +69,12 @@ Constraints support_constraints(const PlaneModel& model) {
   Constraints out;
   for (const SupportSettings& support : problem.supports) {
     if (support.fix[2])
-      throw InputError("{}:{}: plane models have no uz; fix ux, uy or both", problem.file.string(),
-                       support.line);
-    const Selection chosen = model.selection(support.where, support.where_line);
+      fail_at(culprit(support.origin.of("fix"), {problem.model.origin.of("kind")}),
+              "plane models have no uz; fix ux, uy or both");
+    const Place& place = support.origin.of("where");
+    const Selection chosen = model.selection(support.where, place);
     const std::vector<ConstraintRow> rows = held(model, chosen);
-    if (rows.empty())
-      throw InputError("{}:{}: '{}' selects only vertices of hole faces", problem.file.string(),
-                       support.where_line, support.where);
+    if (rows.empty()) fail_at(place, "'{}' selects only vertices of hole faces", support.where);
     const int first = static_cast<int>(out.rows.size());
     for (int i = 0; i < 2; ++i)
       if (support.fix[static_cast<std::size_t>(i)])

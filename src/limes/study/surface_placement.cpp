@@ -1,5 +1,8 @@
 #include "limes/study/surface_placement.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
@@ -17,18 +20,14 @@
 namespace limes {
 namespace {
 
-const FaceGroup& find_part(const SurfaceSettings& settings, const Mesh& mesh,
-                           const std::string& name, int line) {
+const FaceGroup& find_part(const Mesh& mesh, const std::string& name, const Place& place) {
   std::vector<std::string_view> names;
   for (const FaceGroup& part : mesh.parts) {
     if (part.name == name) return part;
     names.push_back(part.name);
   }
-  if (names.empty())
-    throw InputError("{}:{}: there is no part '{}': the mesh has no parts (OBJ 'o')",
-                     settings.file.string(), line, name);
-  throw InputError("{}:{}: there is no part '{}'; {}", settings.file.string(), line, name,
-                   suggest(name, names));
+  if (names.empty()) fail_at(place, "there is no part '{}': the mesh has no parts (OBJ 'o')", name);
+  fail_at(place, "there is no part '{}'; {}", name, suggest(name, names));
 }
 
 void add_once(SurfaceList& all, const GeometrySettings* one) {
@@ -72,7 +71,7 @@ std::vector<const GeometrySettings*> geometry_of_faces(const SurfaceSettings& se
   std::vector<const GeometrySettings*> out(static_cast<std::size_t>(mesh.topology.num_faces()),
                                            settings.geometry ? &*settings.geometry : nullptr);
   for (const GeometrySettings& g : settings.geometry_of_parts)
-    for (const FaceId f : find_part(settings, mesh, *g.part, g.line).faces)
+    for (const FaceId f : find_part(mesh, *g.part, g.origin.of("part")).faces)
       out[static_cast<std::size_t>(f.value)] = &g;
   return out;
 }
@@ -84,26 +83,27 @@ std::vector<TiedEdge> seams_of(const SurfaceSettings& settings, const Mesh& cont
   if (settings.junctions) out = junction_edges(control, adjacency);
   const double tolerance = 1e-9 * bounding_box(control).diagonal();
   for (const SeamSettings& seam : settings.seams) {
+    const Place& place = seam.origin.of("parts");
     std::vector<char> touches(seam.parts.size(), 0);
     for (std::size_t i = 0; i < seam.parts.size(); ++i)
       for (std::size_t j = i + 1; j < seam.parts.size(); ++j) {
-        const FaceGroup& a = find_part(settings, control, seam.parts[i], seam.line);
-        const FaceGroup& b = find_part(settings, control, seam.parts[j], seam.line);
+        const FaceGroup& a = find_part(control, seam.parts[i], place);
+        const FaceGroup& b = find_part(control, seam.parts[j], place);
         std::vector<TiedEdge> edges;
         try {
           edges = tie_parts(control, adjacency, a, b, tolerance);
         } catch (const InputError& error) {
-          throw InputError("{}:{}: {}", settings.file.string(), seam.line, error.what());
+          fail_at(place, "{}", error.what());
         }
         if (!edges.empty()) touches[i] = touches[j] = 1;
         out.insert(out.end(), edges.begin(), edges.end());
       }
     for (std::size_t i = 0; i < seam.parts.size(); ++i)
       if (!touches[i])
-        throw InputError(
-            "{}:{}: part '{}' has no boundary edge with both ends on vertices of another "
-            "part of the seam",
-            settings.file.string(), seam.line, seam.parts[i]);
+        fail_at(place,
+                "part '{}' has no boundary edge with both ends on vertices of another part of the "
+                "seam",
+                seam.parts[i]);
   }
   return out;
 }
@@ -124,15 +124,15 @@ std::vector<std::vector<Edge>> curve_edges(const SurfaceSettings& settings, cons
   std::vector<std::vector<Edge>> out;
   for (const CurveSettings& curve : settings.curves) {
     const Selection chosen(control, adjacency, control.points.span(), curve.where,
-                           settings.file.string(), curve.where_line);
+                           curve.origin.of("where"));
     out.emplace_back();
     for (const HalfedgeId h : chosen.boundary_edges())
       out.back().push_back({adjacency.from(h), adjacency.to(h)});
     if (out.back().empty())
-      throw InputError(
-          "{}:{}: '{}' selects no boundary edge of the control mesh; both ends of an "
-          "edge must be selected",
-          settings.file.string(), curve.where_line, curve.where);
+      fail_at(curve.origin.of("where"),
+              "'{}' selects no boundary edge of the control mesh; both ends of an edge must be "
+              "selected",
+              curve.where);
   }
   for (auto& edges : out)
     edges = ends_of(refined_seams(control, tied_to_themselves(edges), levels));
@@ -148,9 +148,9 @@ void require_surfaces(const SurfaceSettings& settings, const Mesh& mesh) {
   const auto of_face = geometry_of_faces(settings, mesh);
   const auto bare = std::find(of_face.begin(), of_face.end(), nullptr);
   if (bare != of_face.end())
-    throw InputError("{}:{}: every part needs a [geometry] to place vertices on; face {} has none",
-                     settings.file.string(), settings.geometry_of_parts.front().line,
-                     bare - of_face.begin());
+    fail_at(settings.geometry_of_parts.front().origin.of("part"),
+            "every part needs a [geometry] to place vertices on; face {} has none",
+            bare - of_face.begin());
 }
 
 std::vector<SurfaceList> surfaces_of_vertices(const SurfaceSettings& settings, const Mesh& mesh,
@@ -181,12 +181,45 @@ std::vector<SurfaceList> surfaces_of_vertices(const SurfaceSettings& settings, c
   return out;
 }
 
-Vec3 placed(const SurfaceSettings& settings, const SurfaceList& surfaces, const Vec3& x) {
+Vec3 placed(const SurfaceList& surfaces, const Vec3& x) {
   if (surfaces.empty()) return x;  // no face uses it
+  const Place& place = surfaces.back()->origin.override_or_table();
+  Vec3 y;
   try {
-    return surfaces.size() == 1 ? project(*surfaces.front(), x) : project(surfaces, x);
+    y = surfaces.size() == 1 ? project(*surfaces.front(), x) : project(surfaces, x);
   } catch (const InputError& error) {
-    throw InputError("{}:{}: {}", settings.file.string(), surfaces.back()->line, error.what());
+    fail_at(place, "{}", error.what());
+  }
+  if (!y.allFinite())
+    fail_at(place, "the vertex at ({:.6g}, {:.6g}, {:.6g}) has no finite place on this surface",
+            x.x(), x.y(), x.z());
+  return y;
+}
+
+namespace {
+
+/// Whether the corners of a face came to one point or onto one line, but for rounding.
+bool has_no_area(const Mesh& mesh, FaceId face) {
+  constexpr double flat = 1e-12, one_point = 1e-14;
+  Eigen::AlignedBox3d box;
+  for (const VertexId v : mesh.topology.face(face))
+    box.extend(mesh.points[v]);
+  const Eigen::Array3d far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).array();
+  return (box.sizes().array() <= one_point * far).all() || face_area(mesh, face).relative <= flat;
+}
+
+}  // namespace
+
+void require_faces_with_area(const Mesh& mesh, std::span<const GeometrySettings* const> geometry,
+                             const std::function<std::string(FaceId)>& name) {
+  for (int f = 0; f < mesh.topology.num_faces(); ++f) {
+    const FaceId face(f);
+    if (!has_no_area(mesh, face)) continue;
+    const Vec3& x = mesh.points[mesh.topology.face(face)[0]];
+    fail_at(geometry[static_cast<std::size_t>(f)]->origin.override_or_table(),
+            "{} has no area on this surface: its vertices come to one point or line at ({:.6g}, "
+            "{:.6g}, {:.6g}); move the surface to the mesh",
+            name(face), x.x(), x.y(), x.z());
   }
 }
 
@@ -196,7 +229,9 @@ void place_control(const SurfaceSettings& settings, Mesh& control) {
                                              curve_edges(settings, control, 0));
   for (int v = 0; v < control.points.size(); ++v)
     control.points[VertexId(v)] =
-        placed(settings, surfaces[static_cast<std::size_t>(v)], control.points[VertexId(v)]);
+        placed(surfaces[static_cast<std::size_t>(v)], control.points[VertexId(v)]);
+  require_faces_with_area(control, geometry_of_faces(settings, control),
+                          [](FaceId f) { return fmt::format("face {}", f.value); });
 }
 
 Placement exact_placement(const SurfaceSettings& settings, const Mesh& control, int levels) {
@@ -226,9 +261,9 @@ Placement exact_placement(const SurfaceSettings& settings, const Mesh& control, 
     of_edge[HalfedgeId(h)] = at(ids.of_edge(adjacency.edge(HalfedgeId(h))));
   for (int f = 0; f < of_face.size(); ++f)
     of_face[FaceId(f)] = at(ids.of_face(FaceId(f)));
-  return [&settings, of_edge = std::move(of_edge), of_face = std::move(of_face)](
-             const Vec3& x, FaceId face, HalfedgeId edge) {
-    return placed(settings, edge.valid() ? of_edge[edge] : of_face[face], x);
+  return [of_edge = std::move(of_edge), of_face = std::move(of_face)](const Vec3& x, FaceId face,
+                                                                      HalfedgeId edge) {
+    return placed(edge.valid() ? of_edge[edge] : of_face[face], x);
   };
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "limes/mesh/seams.h"
@@ -50,12 +53,19 @@ void require_surfaces(const SurfaceSettings& settings, const Mesh& mesh);
     const std::vector<std::vector<Edge>>& curves);
 
 /// The point of all surfaces near x; x if there is none.
-/// @throws InputError "FILE:LINE: ..." if they do not meet near x
-[[nodiscard]] Vec3 placed(const SurfaceSettings& settings, const SurfaceList& surfaces,
-                          const Vec3& x);
+/// @throws InputError "FILE:LINE: ..." if they do not meet near x, or beyond the largest number
+[[nodiscard]] Vec3 placed(const SurfaceList& surfaces, const Vec3& x);
+
+/// @param geometry  of each face, as geometry_of_faces()
+/// @param name      of a face of the mesh in messages: "face 3"
+/// @throws InputError with the surface's place for a face without area: its vertices came to one point of
+///         the surface, or onto one curve
+void require_faces_with_area(const Mesh& mesh, std::span<const GeometrySettings* const> geometry,
+                             const std::function<std::string(FaceId)>& name);
 
 /// Puts the vertices of a control mesh where they must lie.
-/// @throws InputError for a face without exact surface, or a vertex that cannot be placed
+/// @throws InputError for a face without exact surface, a vertex that cannot be placed, or a face that has
+///         lost its area
 void place_control(const SurfaceSettings& settings, Mesh& control);
 
 /// Puts the new vertices of a forest, which lie halfway between others, onto the surfaces: bitwise where

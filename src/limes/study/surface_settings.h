@@ -8,6 +8,7 @@
 
 #include "limes/core/types.h"
 #include "limes/study/expression.h"
+#include "limes/study/place.h"
 
 namespace limes {
 
@@ -27,20 +28,20 @@ struct GeometrySettings {
   double angle = 45;         ///< of a cone, in degrees between its axis and it, in (0, 90)
   Expression height;         ///< z of a graph
   Expression zero;           ///< of a formula: zero on the surface
-  int line = 0;
+  Origin origin = {};
 };
 
 /// A curve on the exact surface that boundary edges follow.
 struct CurveSettings {
   std::string where;         ///< selects the boundary edges of the control mesh
   GeometrySettings surface;  ///< a formula; the curve is where it meets the part's own surface
-  int line = 0, where_line = 0;
+  Origin origin = {};
 };
 
 /// Parts tied along the boundary polygons that they share.
 struct SeamSettings {
   std::vector<std::string> parts;  ///< two or more
-  int line = 0;
+  Origin origin = {};
 };
 
 /// The surfaces of a mesh and the seams between its parts.

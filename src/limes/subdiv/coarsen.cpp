@@ -1,4 +1,5 @@
 #include "limes/subdiv/coarsen.h"
+#include "limes/mesh/face_error.h"
 
 #include <fmt/format.h>
 
@@ -77,9 +78,9 @@ class Coarsener {
     bool boundary = false;
     for (int f = 0; f < t.num_faces(); ++f) {
       if (t.face_size(FaceId(f)) != (of_triangles() ? 3 : 4))
-        throw InputError("face {} has {} corners; a step of {} leaves {} only", f,
-                         t.face_size(FaceId(f)), scheme_.name,
-                         of_triangles() ? "triangles" : "quads");
+        throw FaceError(FaceId(f), "face {} has {} corners; a step of {} leaves {} only", f,
+                        t.face_size(FaceId(f)), scheme_.name,
+                        of_triangles() ? "triangles" : "quads");
       for (const VertexId v : t.face(FaceId(f)))
         boundary = boundary || adjacency_.is_boundary(v);
     }

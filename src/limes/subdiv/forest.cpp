@@ -1,4 +1,5 @@
 #include "limes/subdiv/forest.h"
+#include "limes/mesh/face_error.h"
 
 #include <fmt/format.h>
 
@@ -64,11 +65,11 @@ const Scheme& forest_scheme(const Scheme& scheme, const Topology& control) {
   const int size = regular_face_size(scheme);
   for (int f = 0; f < control.num_faces(); ++f)
     if (control.face_size(FaceId(f)) != size)
-      throw InputError("face {} has {} corners; local refinement {}", f,
-                       control.face_size(FaceId(f)),
-                       size == 3 ? fmt::format("by {} needs triangles", scheme.name)
-                       : either  ? "needs quads, which one step of refine makes, or triangles only"
-                                 : "needs quads, which one step of refine makes");
+      throw FaceError(FaceId(f), "face {} has {} corners; local refinement {}", f,
+                      control.face_size(FaceId(f)),
+                      size == 3 ? fmt::format("by {} needs triangles", scheme.name)
+                      : either  ? "needs quads, which one step of refine makes, or triangles only"
+                                : "needs quads, which one step of refine makes");
   return scheme;
 }
 

@@ -5,6 +5,7 @@
 #include "limes/core/error.h"
 #include "limes/core/interrupt.h"
 #include "limes/core/parallel.h"
+#include "limes/mesh/face_error.h"
 #include "limes/subdiv/sector.h"
 #include "limes/subdiv/split.h"
 #include "limes/subdiv/splits.h"
@@ -17,8 +18,8 @@ void require_faces(const Topology& topology, const Scheme& scheme) {
   const int wanted = scheme.faces == FaceKind::quads ? 4 : 3;
   for (int f = 0; f < topology.num_faces(); ++f)
     if (topology.face_size(FaceId(f)) != wanted)
-      throw InputError("face {} has {} corners; {} takes faces with {} only", f,
-                       topology.face_size(FaceId(f)), scheme.name, wanted);
+      throw FaceError(FaceId(f), "face {} has {} corners; {} takes faces with {} only", f,
+                      topology.face_size(FaceId(f)), scheme.name, wanted);
 }
 
 namespace {
