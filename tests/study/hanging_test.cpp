@@ -645,6 +645,49 @@ reference_levels = 1
   }
 }
 
+// Where a force acts on a point no mesh is fine enough.
+TEST(HangingAdaptive, FinerSolutionsHaveRoomBelowTheLeaves) {
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / "limes_hanging_deep";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "square.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  for (const int levels : {0, 1}) {
+    const PlaneResult r = run_problem(parse_problem(fmt::format(R"([mesh]
+file = "square.obj"
+scheme = "linear"
+[model]
+kind = "plane-stress"
+[material]
+young = 10
+poisson = 0.25
+[[support]]
+where = "x == 1"
+fix = ["ux", "uy"]
+[[load]]
+where = "x == 0 and y == 0"
+force = [1, 0]
+[adapt]
+closure = "hanging"
+mark = "maximum"
+share = 0.9
+max_dofs = 2000
+max_steps = 60
+reference_levels = {}
+)",
+                                                                levels),
+                                                    folder / "p.toml"));
+    EXPECT_EQ(r.adaptive->history.end, "max_level");
+    EXPECT_EQ(r.adaptive->deepest_level, Forest::max_level - levels);
+    double smallest = 1;  // of the sides, which were halved level by level
+    const Adjacency& a = r.model.space->geometry().adjacency();
+    for (int h = 0; h < a.topology().num_corners(); ++h)
+      smallest = std::min(smallest, (r.model.mesh().points[a.from(HalfedgeId(h))] -
+                                     r.model.mesh().points[a.to(HalfedgeId(h))])
+                                        .norm());
+    EXPECT_EQ(smallest, std::ldexp(1.0, levels - Forest::max_level));
+  }
+}
+
 TEST(HangingAdaptive, RoofWithAHoleComesToTheLimitOfTheTheory) {
   const ShellResult r = adapted("hole_5.toml", "1401.0685",
                                 {"adapt.max_dofs=40000", "adapt.mark=maximum", "adapt.share=0.2"});
