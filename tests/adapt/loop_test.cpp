@@ -79,16 +79,18 @@ TEST(AdaptiveLoop, EndsAtEachTarget) {
 
 // All of the error stays in the leaf at the origin.
 TEST(AdaptiveLoop, EndsAtTheDeepestLevel) {
-  Forest forest = unit_square();
-  const AdaptHistory history =
-      solve_adaptively(forest, {.max_steps = 100}, [](const ForestMesh& mesh) {
-        StepSolution out{1, 1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
-        out.squares[0] = 1;
-        return out;
-      });
-  EXPECT_EQ(history.end, "max_level");
-  EXPECT_EQ(history.steps.size(), 1U + Forest::max_level);
-  EXPECT_EQ(forest.ancestry(forest.leaves().front()).level, Forest::max_level);
+  for (const int deepest : {Forest::max_level, 5}) {
+    Forest forest = unit_square();
+    const AdaptHistory history = solve_adaptively(
+        forest, {.deepest_level = deepest, .max_steps = 100}, [](const ForestMesh& mesh) {
+          StepSolution out{1, 1, 1, std::vector<double>(mesh.leaves.size(), 0.0)};
+          out.squares[0] = 1;
+          return out;
+        });
+    EXPECT_EQ(history.end, "max_level");
+    EXPECT_EQ(static_cast<int>(history.steps.size()), 1 + deepest);
+    EXPECT_EQ(forest.ancestry(forest.leaves().front()).level, deepest);
+  }
 }
 
 TEST(AdaptiveLoop, TheFirstMeshIsSolvedWhateverItsSize) {

@@ -177,17 +177,20 @@ TEST_F(Solve, ShowsTheErrorOfEveryElement) {
 }
 
 TEST_F(Solve, DrawsShellsToTheSameBytesForAnyNumberOfThreads) {
-  for (const char* threads : {"1", "2"})
-    ASSERT_EQ(run_limes({"solve", data_file("hole_5.toml"), "-o", folder / threads, "--threads",
-                         threads, "--set", "adapt.max_steps=2"})
-                  .exit_code,
-              0);
-  for (const char* file :
-       {"/displacement.png", "/von-mises-top.png", "/von-mises-bottom.png", "/adapted-mesh.png",
-        "/convergence.png", "/report.html", "/result.vtu"}) {
-    const std::string bytes = read_file(folder / "1" + file);
-    EXPECT_FALSE(bytes.empty()) << file;
-    EXPECT_EQ(bytes, read_file(folder / "2" + file)) << file;
+  for (const std::string closure : {"conforming", "hanging"}) {
+    for (const char* threads : {"1", "2"})
+      ASSERT_EQ(run_limes({"solve", data_file("hole_5.toml"), "-o", folder / (closure + threads),
+                           "--threads", threads, "--set", "adapt.max_steps=2", "--set",
+                           "adapt.closure=" + closure})
+                    .exit_code,
+                0);
+    for (const char* file :
+         {"/displacement.png", "/von-mises-top.png", "/von-mises-bottom.png", "/adapted-mesh.png",
+          "/convergence.png", "/report.html", "/result.vtu"}) {
+      const std::string bytes = read_file(folder / (closure + "1") + file);
+      EXPECT_FALSE(bytes.empty()) << closure << file;
+      EXPECT_EQ(bytes, read_file(folder / (closure + "2") + file)) << closure << file;
+    }
   }
 }
 

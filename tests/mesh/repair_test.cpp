@@ -5,6 +5,7 @@
 #include "limes/core/error.h"
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/defects.h"
+#include "limes/mesh/pieces.h"
 #include "mesh/meshes.h"
 
 namespace limes {
@@ -61,6 +62,20 @@ TEST(Repair, RefusesAMoebiusStripThatADuplicateHid) {
   const Mesh strip = make_mesh(
       10, {{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 7, 6}, {6, 7, 9, 8}, {8, 9, 0, 1}, {0, 1, 3, 2}});
   EXPECT_THROW(repair(strip), InputError);
+}
+
+// Triangles at the vertex 0: one, two that share an edge, and one.
+TEST(Pieces, FansApartKeepTheFirstAndCopyTheOthersInOrder) {
+  const Mesh mesh = make_mesh(8, {{0, 1, 2}, {3, 4, 0}, {0, 6, 7}, {0, 4, 5}});
+  EXPECT_TRUE(has_bow_ties(Adjacency(mesh.topology, Adjacency::Check::edges)));
+  const FansApart apart = fans_apart(mesh.topology);
+  EXPECT_EQ(apart.original, (std::vector{VertexId(0), VertexId(0)}));
+  std::vector<int> corners;
+  for (const VertexId v : apart.corners)
+    corners.push_back(v.value);
+  EXPECT_EQ(corners, (std::vector{0, 1, 2, 3, 4, 8, 9, 6, 7, 8, 4, 5}));
+  const Topology surface(10, {0, 3, 6, 9, 12}, apart.corners);
+  EXPECT_FALSE(has_bow_ties(Adjacency(surface, Adjacency::Check::edges)));
 }
 
 TEST(Repair, SplitsABowTieWithItsTags) {

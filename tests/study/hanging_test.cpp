@@ -20,6 +20,7 @@
 #include "convergence/plane_meshes.h"
 #include "limes/adapt/finer.h"
 #include "limes/core/error.h"
+#include "limes/study/adaptive.h"
 #include "limes/study/poisson_conditions.h"
 #include "limes/study/run.h"
 #include "limes/study/shell_error.h"
@@ -642,6 +643,143 @@ reference_levels = 1
       EXPECT_NEAR(tagged[i].error_estimate / without[i].error_estimate, 1, 1e-9);
       EXPECT_NEAR(*tagged[i].finer_error / *without[i].finer_error, 1, 1e-9);
     }
+  }
+}
+
+/// The grid [0, 4]^2 with two holes that meet in its middle.
+Mesh holes_that_meet(FaceId a, FaceId b) {
+  Mesh mesh = testing::grid(4, 4, [](const Vec2& p) { return Vec2(4 * p); });
+  mesh.tags.holes = {a, b};
+  return mesh;
+}
+
+/// All faces but holes are split twice: vertices hang in the sides of holes only.
+ForestMesh split_between_holes(const Problem& problem, const Mesh& control) {
+  Forest forest = plane_forest(problem, control, find_scheme("linear"));
+  for (int level = 0; level < 2; ++level) {
+    std::vector<FaceId> wanted;
+    for (const FaceId leaf : forest.leaves()) {
+      const std::vector<FaceId>& holes = control.tags.holes;
+      if (std::find(holes.begin(), holes.end(), forest.ancestry(leaf).root) == holes.end())
+        wanted.push_back(leaf);
+    }
+    forest.refine(wanted);
+  }
+  return forest_mesh(forest, Closure::hanging);
+}
+
+VertexId vertex_at(const PlaneModel& model, const Vec3& x) {
+  const auto& points = model.mesh().points.vector();
+  return VertexId(std::find(points.begin(), points.end(), x) - points.begin());
+}
+
+const std::string grid_file = "[mesh]\nfile = \"m.obj\"\nscheme = \"linear\"\n";
+
+// What hangs in the sides of holes is not there, so these are the values of the conforming mesh that is split
+// everywhere. In the middle elements meet in one vertex only, and holes come first or last around it.
+TEST(HangingAdaptive, ValuesWhereHolesMeetAreThoseOfTheConformingMesh) {
+  const Vec3 middle(2, 2, 0);
+  for (const auto& [a, b] : {std::pair(FaceId(5), FaceId(10)), std::pair(FaceId(6), FaceId(9))}) {
+    const Mesh control = holes_that_meet(a, b);
+    const auto models = [&](const std::string& text) {
+      const std::string hanging = text + "[adapt]\nclosure = \"hanging\"\n";
+      const Problem problem = parse_problem(grid_file + hanging, "p.toml");
+      const ForestMesh forest = split_between_holes(problem, control);
+      EXPECT_GT(forest.hanging.size(), 7U);
+      return std::pair(
+          build_model(problem, forest.mesh, forest.hanging),
+          build_model(parse_problem(grid_file + "levels = 2\n" + text, "p.toml"), control));
+    };
+    const auto [heat, heat_conforming] = models(R"([model]
+kind = "poisson"
+[material]
+conductivity = 3
+[[support]]
+where = "x == 0"
+value = "y"
+[[support]]
+where = "x == 2 and y == 2"
+value = 5
+[[load]]
+where = "all"
+source = 1
+)");
+    const PoissonSolution u = solve_poisson(heat), v = solve_poisson(heat_conforming);
+    EXPECT_EQ(u.num_unknowns, v.num_unknowns);
+    EXPECT_NEAR(u.strain_energy / v.strain_energy, 1, 1e-11);
+    EXPECT_EQ(u.u(dof_of_vertex(*heat.space, vertex_at(heat, middle))), 5);
+    EXPECT_NEAR(u.reactions[1].flux / v.reactions[1].flux, 1, 1e-11);
+
+    const auto [sheet, sheet_conforming] = models(R"([model]
+kind = "plane-stress"
+[material]
+young = 10
+poisson = 0.25
+[[support]]
+where = "x == 0"
+fix = ["ux", "uy"]
+[[support]]
+where = "x == 2 and y == 2"
+fix = ["uy"]
+[[load]]
+where = "x == 2 and y == 2"
+force = [1, 0]
+[[load]]
+where = "x == 4"
+force_per_length = [0, 1]
+)");
+    const PlaneSolution d = solve_plane(sheet), e = solve_plane(sheet_conforming);
+    EXPECT_EQ(d.num_unknowns, e.num_unknowns);
+    EXPECT_NEAR(d.strain_energy / e.strain_energy, 1, 1e-11);
+    EXPECT_NEAR(d.loads(0), 1, 1e-12);
+    const auto moved = [&](const PlaneModel& model, const PlaneSolution& s) {
+      return s.u(2 * dof_of_vertex(*model.space, vertex_at(model, middle)));
+    };
+    EXPECT_NEAR(moved(sheet, d) / moved(sheet_conforming, e), 1, 1e-11);
+    EXPECT_NEAR(d.reactions[1].force(1) / e.reactions[1].force(1), 1, 1e-11);
+  }
+}
+
+// Where a force acts on a point no mesh is fine enough.
+TEST(HangingAdaptive, FinerSolutionsHaveRoomBelowTheLeaves) {
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / "limes_hanging_deep";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "square.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  for (const int levels : {0, 1}) {
+    const PlaneResult r = run_problem(parse_problem(fmt::format(R"([mesh]
+file = "square.obj"
+scheme = "linear"
+[model]
+kind = "plane-stress"
+[material]
+young = 10
+poisson = 0.25
+[[support]]
+where = "x == 1"
+fix = ["ux", "uy"]
+[[load]]
+where = "x == 0 and y == 0"
+force = [1, 0]
+[adapt]
+closure = "hanging"
+mark = "maximum"
+share = 0.9
+max_dofs = 2000
+max_steps = 60
+reference_levels = {}
+)",
+                                                                levels),
+                                                    folder / "p.toml"));
+    EXPECT_EQ(r.adaptive->history.end, "max_level");
+    EXPECT_EQ(r.adaptive->deepest_level, Forest::max_level - levels);
+    double smallest = 1;  // of the sides, which were halved level by level
+    const Adjacency& a = r.model.space->geometry().adjacency();
+    for (int h = 0; h < a.topology().num_corners(); ++h)
+      smallest = std::min(smallest, (r.model.mesh().points[a.from(HalfedgeId(h))] -
+                                     r.model.mesh().points[a.to(HalfedgeId(h))])
+                                        .norm());
+    EXPECT_EQ(smallest, std::ldexp(1.0, levels - Forest::max_level));
   }
 }
 

@@ -48,10 +48,10 @@ std::vector<FaceId> marked_leaves(const ForestMesh& mesh, const std::vector<doub
   return out;
 }
 
-/// Whether refine() can split the leaves; what balance and seams add lies no deeper.
-bool can_be_split(const Forest& forest, const std::vector<FaceId>& leaves) {
+/// Whether all leaves lie above the deepest level; what balance and seams add lies no deeper.
+bool can_be_split(const Forest& forest, const std::vector<FaceId>& leaves, int deepest_level) {
   return std::all_of(leaves.begin(), leaves.end(),
-                     [&](FaceId leaf) { return forest.ancestry(leaf).level < Forest::max_level; });
+                     [&](FaceId leaf) { return forest.ancestry(leaf).level < deepest_level; });
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ AdaptHistory solve_adaptively(Forest& forest, const AdaptTargets& targets,
     if (targets.max_seconds && seconds.count() >= *targets.max_seconds) return ends("max_seconds");
     const std::vector<FaceId> leaves = marked_leaves(mesh, solution.squares, targets);
     if (leaves.empty()) return ends("no error left");
-    if (!can_be_split(forest, leaves)) return ends("max_level");
+    if (!can_be_split(forest, leaves, targets.deepest_level)) return ends("max_level");
     forest.refine(leaves);
     match_seams(forest, seams);
     mesh = forest_mesh(forest, targets.closure);

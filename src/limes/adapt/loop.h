@@ -27,6 +27,8 @@ struct AdaptTargets {
   MarkingKind mark = MarkingKind::doerfler;
   double share = 0.5;  ///< see marked()
   Closure closure = Closure::conforming;
+  /// Leaves on it are not refined. Less than Forest::max_level leaves room for finer solutions to split them.
+  int deepest_level = Forest::max_level;
   std::optional<double> error = {};  ///< relative to the energy norm of the solution
   int max_dofs = 10'000;             ///< of vertices that do not hang times dofs_per_vertex
   int dofs_per_vertex = 1;

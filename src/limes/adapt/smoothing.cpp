@@ -64,7 +64,7 @@ struct FacePart {
     const auto weight = [&](std::size_t k) { return moved.weight[k % 4]; };
     for (std::size_t k = 0; k < 4; ++k) {
       const double da = (weight(k + 1) - weight(k)) / size, db = (weight(k + 3) - weight(k)) / size;
-      if (weight(k) == 0 && da == 0 && db == 0) continue;
+      if (da == 0 && db == 0) continue;
       const Vec3 a = (at(k + 1) - at(k)) / size, b = (at(k + 3) - at(k)) / size;
       sum.add(a.squaredNorm() + b.squaredNorm(), 2 * (da * a + db * b), 2 * (da * da + db * db),
               2 * normal.dot(a.cross(b)), 2 * (da * b.cross(normal) + db * normal.cross(a)));

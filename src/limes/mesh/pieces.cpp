@@ -141,6 +141,34 @@ IdArray<HalfedgeId, HalfedgeId> corner_fans(const Topology& topology, const Edge
   return fans;
 }
 
+bool has_bow_ties(const Adjacency& adjacency) {
+  int num_in_rings = 0;
+  for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
+    num_in_rings += adjacency.num_ring_faces(VertexId(v));
+  return num_in_rings != adjacency.topology().num_corners();
+}
+
+FansApart fans_apart(const Topology& topology) {
+  const auto fans = corner_fans(topology, group_by_edge(topology));
+  FansApart out;
+  out.corners.assign(topology.corners().begin(), topology.corners().end());
+  IdArray<VertexId, char> met(static_cast<std::size_t>(topology.num_vertices()), 0);
+  for (int i = 0; i < topology.num_corners(); ++i) {
+    const HalfedgeId h(i);
+    const VertexId v = topology.corner(h);
+    VertexId& corner = out.corners[static_cast<std::size_t>(i)];
+    if (fans[h] != h) {
+      corner = out.corners[static_cast<std::size_t>(fans[h].value)];
+    } else if (met[v] == 0) {
+      met[v] = 1;
+    } else {
+      corner = VertexId(topology.num_vertices() + static_cast<std::int64_t>(out.original.size()));
+      out.original.push_back(v);
+    }
+  }
+  return out;
+}
+
 std::span<const HalfedgeId> halfedges_between(const Topology& topology, const EdgeGroups& edges,
                                               const IdArray<HalfedgeId, HalfedgeId>& next,
                                               VertexId a, VertexId b) {

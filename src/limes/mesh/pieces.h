@@ -36,6 +36,19 @@ struct FacePieces {
 [[nodiscard]] IdArray<HalfedgeId, HalfedgeId> corner_fans(const Topology& topology,
                                                           const EdgeGroups& edges);
 
+/// Whether the faces at some vertex form more than one fan.
+/// @param adjacency  by Adjacency::Check::edges
+[[nodiscard]] bool has_bow_ties(const Adjacency& adjacency);
+
+/// The corners of the same faces where every fan at a vertex has a vertex of its own: the first fan keeps
+/// the vertex, each other has a copy.
+struct FansApart {
+  std::vector<VertexId> corners;
+  /// What copies are copies of; copy i is vertex num_vertices() + i, in the order of their first corners.
+  std::vector<VertexId> original;
+};
+[[nodiscard]] FansApart fans_apart(const Topology& topology);
+
 /// The halfedges along the edge between two vertices, by bisection; empty when no edge joins them.
 [[nodiscard]] std::span<const HalfedgeId> halfedges_between(
     const Topology& topology, const EdgeGroups& edges, const IdArray<HalfedgeId, HalfedgeId>& next,

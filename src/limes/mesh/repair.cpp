@@ -166,33 +166,20 @@ void Repair::turn_faces() {
 }
 
 void Repair::split_bow_ties() {
-  const Topology& topology = mesh_.topology;
-  const auto fans = corner_fans(topology, group_by_edge(topology));
-  std::vector<VertexId> split_corners = corners();
-  IdArray<VertexId, char> met(static_cast<std::size_t>(topology.num_vertices()), 0);
+  FansApart apart = fans_apart(mesh_.topology);
   std::vector<Copy> copies;
-  for (int i = 0; i < topology.num_corners(); ++i) {
-    const HalfedgeId h(i);
-    const VertexId v = topology.corner(h);
-    VertexId& corner = split_corners[static_cast<std::size_t>(i)];
-    if (fans[h] != h) {
-      corner = split_corners[static_cast<std::size_t>(fans[h].value)];
-    } else if (met[v] == 0) {
-      met[v] = 1;
-    } else {
-      corner = VertexId(mesh_.points.size());
-      mesh_.points.push_back(mesh_.points[v]);
-      copies.push_back({v, corner});
-    }
+  for (const VertexId v : apart.original) {
+    copies.push_back({v, VertexId(mesh_.points.size())});
+    mesh_.points.push_back(mesh_.points[v]);
   }
   if (copies.empty()) return;
   std::sort(copies.begin(), copies.end());
   std::vector<VertexId> split;
   for (const Copy& copy : copies)
     if (split.empty() || split.back() != copy.first) split.push_back(copy.first);
-  move_creases(split_corners);
+  move_creases(apart.corners);
   copy_corner_tags(copies);
-  set_corners(std::move(split_corners));
+  set_corners(std::move(apart.corners));
   say("split {} where fans of faces met ({}); {} added",
       counted(split.size(), "vertex", "vertices"), list_ids(split),
       counted(copies.size(), "vertex", "vertices"));

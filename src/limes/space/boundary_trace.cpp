@@ -215,10 +215,15 @@ ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v) {
     h = adjacency.ring_next(h);
     if (h == start) break;
   }
-  // Where vertices hang, holes may lie between fans of elements that meet in the vertex. It has one value there: it
-  // is a corner, and the functions are bilinear.
-  const bool is_corner = start.valid() && space.geometry().scheme().patch == LimitPatch::bilinear;
-  return is_corner ? value_at_side(space, start, 0.0, region_of(space, start)) : ConstraintRow();
+  // Where vertices hang the ring may be one of several fans that meet in the vertex. It has one value there, which
+  // any corner of an element knows: the functions are bilinear.
+  if (start.valid() && space.geometry().scheme().patch == LimitPatch::bilinear)
+    for (int i = 0; i < adjacency.topology().num_corners(); ++i) {
+      const HalfedgeId h(i);
+      if (adjacency.from(h) == v && space.has_element(adjacency.face(h)))
+        return value_at_side(space, h, 0.0, region_of(space, h));
+    }
+  return {};
 }
 
 std::vector<HalfedgeId> domain_sides(const SubdivisionSpace& space) {

@@ -32,8 +32,8 @@ struct SidePoint {
 [[nodiscard]] std::vector<ConstraintRow> tie_of_sides(const SubdivisionSpace& space, HalfedgeId a,
                                                       HalfedgeId b);
 
-/// The functional whose value is the field at a vertex of the control mesh (its limit point); empty if
-/// no face at the vertex has an element.
+/// The functional whose value is the field at a vertex of the control mesh (its limit point), by a face at
+/// it that has an element, whichever fan that is in; empty if none has one.
 [[nodiscard]] ConstraintRow value_at_vertex(const SubdivisionSpace& space, VertexId v);
 
 }  // namespace limes

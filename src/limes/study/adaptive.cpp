@@ -21,10 +21,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of leaves to be solved on. Those of finer solutions with hanging nodes are leaves too; other closures
+/// have their mesh refined.
+int deepest_level(const AdaptSettings& adapt) {
+  return Forest::max_level - (adapt.closure == Closure::hanging ? adapt.reference_levels : 0);
+}
+
 AdaptTargets targets_of(const AdaptSettings& adapt, int dofs_per_vertex) {
   return {.mark = adapt.mark,
           .share = adapt.share,
           .closure = adapt.closure,
+          .deepest_level = deepest_level(adapt),
           .error = adapt.target_error,
           .max_dofs = adapt.max_dofs,
           .dofs_per_vertex = dofs_per_vertex,
@@ -79,6 +86,7 @@ AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<con
   };
   run.history = solve_adaptively(forest, targets, solve_step, seams);
   run.start = forest.control();
+  run.deepest_level = targets.deepest_level;
   return run;
 }
 
@@ -124,8 +132,10 @@ std::string end_of(const AdaptiveRun& run) {
   if (end == "max_steps") return "The loop ended after max_steps.";
   if (end == "max_seconds") return "The loop ended after max_seconds.";
   if (end == "max_level")
-    return fmt::format("The loop ended because a face to be refined was on level {}, the deepest.",
-                       Forest::max_level);
+    return fmt::format(
+        "The loop ended because a face to be refined was on level {}, the deepest{}.",
+        run.deepest_level,
+        run.deepest_level < Forest::max_level ? " that reference_levels leaves" : "");
   return "The loop ended because no error was left to be seen.";
 }
 

@@ -16,6 +16,7 @@ struct AdaptiveRun {
   Mesh start;                         ///< before the first step
   std::vector<double> squares;        ///< squared error of each face of the last mesh
   std::vector<double> finer_squares;  ///< the same against a finer solution; empty: there is none
+  int deepest_level = Forest::max_level;  ///< of leaves: see AdaptTargets
 };
 
 /// The problem as each step solves it: on a mesh as it is.

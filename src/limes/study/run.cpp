@@ -62,17 +62,17 @@ void require_kept_faces(const Problem& problem, const Tags& tags) {
         mesh_path(problem).string());
 }
 
-/// The mesh of a step with every face split as often as reference_levels says, and what hangs there.
-ForestMesh split_mesh(const Problem& problem, const Forest& forest, const ForestMesh& mesh,
-                      const Scheme& scheme) {
+/// The mesh of a step with every face split as often as reference_levels says, and what hangs in it.
+ForestMesh reference_mesh(const Problem& problem, const Forest& forest, const ForestMesh& mesh,
+                          const Scheme& scheme) {
   const int levels = problem.adapt->reference_levels;
-  if (mesh.hanging.empty()) {
-    ForestMesh out;
-    out.mesh = refine(mesh.mesh, scheme, {.levels = levels});
-    return out;
+  if (problem.adapt->closure == Closure::hanging) {
+    Forest split = split_leaves(forest, levels);
+    return forest_mesh(split, Closure::hanging);
   }
-  Forest split = split_leaves(forest, levels);
-  return forest_mesh(split, Closure::hanging);
+  ForestMesh out;
+  out.mesh = refine(mesh.mesh, scheme, {.levels = levels});
+  return out;
 }
 
 /// Refines step by step from the mesh that the problem names; model and solution of `result` are
@@ -99,7 +99,7 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
             result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
             result.solution.strain_energy, estimate_error(result.model, result.solution)};
         if (const int levels = problem.adapt->reference_levels; levels > 0) {
-          const ForestMesh split = split_mesh(problem, forest, mesh, scheme);
+          const ForestMesh split = reference_mesh(problem, forest, mesh, scheme);
           const PlaneModel finer = build(step, split.mesh, split.hanging);
           const auto reference = solve(finer);
           out.finer_squares =

@@ -5,6 +5,7 @@
 
 #include "limes/core/parallel.h"
 #include "limes/fem/resultant_norm.h"
+#include "limes/study/adaptive.h"
 #include "limes/subdiv/refine.h"
 #include "limes/subdiv/schemes.h"
 #include "limes/subdiv/split.h"
@@ -24,7 +25,7 @@ Mesh split_mesh(const ShellModel& model, const ShellForest& shell,
       {.levels = levels, .boundary = model.mesh->tags.boundary.value_or(BoundaryRule::edges)});
 }
 
-/// Of the forest with all leaves split: a side in which a node hangs has others there, in both halves.
+/// Of the closure with hanging nodes: of the forest with all leaves split. A side in which a node hangs has others there, in both halves.
 ShellModel finer_hanging_model(const ShellModel& model, const ShellForest& shell,
                                const ForestMesh& mesh, int levels) {
   const Problem& problem = model.problem;
@@ -55,7 +56,8 @@ ShellResultants state(const ShellModel& model, const ShellSolution& solution, Fa
 
 ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
                        const std::vector<TiedEdge>& tied, const ForestMesh& mesh, int levels) {
-  if (!mesh.hanging.empty()) return finer_hanging_model(model, shell, mesh, levels);
+  if (split_unit(model.problem) == SplitUnit::faces)
+    return finer_hanging_model(model, shell, mesh, levels);
   return shell_model_on(model.problem, split_mesh(model, shell, tied, mesh, levels),
                         refined_seams(*model.mesh, tied, levels));
 }

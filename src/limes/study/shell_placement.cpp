@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -160,14 +159,16 @@ void smooth_on_surfaces(const Problem& problem, const Forest& forest,
 
 void place_children(const ForestMesh& coarse, const std::vector<SurfaceList>& surfaces,
                     ForestMesh& split) {
-  std::map<VertexId, VertexId> in_coarse;  // by number in the forest
+  const VertexId last = *std::max_element(split.nodes.begin(), split.nodes.end());
+  // By number in the forest; the coarse mesh has no others.
+  IdArray<VertexId, VertexId> in_coarse(static_cast<std::size_t>(last.value) + 1);
   for (std::size_t v = 0; v < coarse.nodes.size(); ++v)
     in_coarse[coarse.nodes[v]] = VertexId(v);
   IdArray<VertexId, Vec3>& x = split.mesh.points;
   std::vector<char> stays(split.nodes.size(), 0);
   for (std::size_t v = 0; v < split.nodes.size(); ++v)
-    if (const auto at = in_coarse.find(split.nodes[v]); at != in_coarse.end()) {
-      x[VertexId(v)] = coarse.mesh.points[at->second];
+    if (const VertexId at = in_coarse[split.nodes[v]]; at.valid()) {
+      x[VertexId(v)] = coarse.mesh.points[at];
       stays[v] = 1;
     }
   const auto put = [&](VertexId v, const Vec3& near) {

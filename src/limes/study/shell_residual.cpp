@@ -32,11 +32,11 @@ struct SidePoint {
 };
 
 /// A side of an element, or half of one in which a node hangs: what the element shares with one neighbour.
-struct Piece {
+struct SidePart {
   HalfedgeId h;        ///< of the face
   int side;            ///< of the quad
   double first, last;  ///< where it begins and ends on the side, whose corners are at -1 and 1
-  /// Parameters of a point from -1 to 1 along the piece.
+  /// Parameters of a point from -1 to 1 along the part.
   [[nodiscard]] Vec2 at(double s) const {
     const double along = ((1 - s) * first + (1 + s) * last) / 2;
     switch (side) {
@@ -54,8 +54,8 @@ struct Piece {
   [[nodiscard]] double share() const { return (last - first) / 2; }
 };
 
-std::vector<Piece> pieces_of(const ShellModel& model, FaceId f) {
-  std::vector<Piece> out;
+std::vector<SidePart> side_parts(const ShellModel& model, FaceId f) {
+  std::vector<SidePart> out;
   for (int k = 0; k < 4; ++k) {
     const HalfedgeId start = model.corner(f, k), middle = model.faces.inside(f, k);
     out.push_back({start, k, -1, middle.valid() ? 0.0 : 1.0});
@@ -153,8 +153,8 @@ class ShellResiduals {
     std::vector<double> out(static_cast<std::size_t>(t.num_faces()), 0.0);
     for_each_index(t.num_faces(), [&](std::int64_t i) {
       double sum = inner_square(FaceId(i), &p[static_cast<std::size_t>(4 * i)]);
-      for (const Piece& piece : pieces_of(model_, FaceId(i)))
-        sum += piece.share() * side_square_[piece.h];
+      for (const SidePart& part : side_parts(model_, FaceId(i)))
+        sum += part.share() * side_square_[part.h];
       out[static_cast<std::size_t>(i)] = sum;
     });
     return out;
@@ -173,27 +173,27 @@ class ShellResiduals {
     for (const Vec2& rs : inner_points())
       area += quad.area_normal(rs).norm();
     area_[f] = area;
-    for (const Piece& piece : pieces_of(model_, f))
-      measure(f, quad, piece);
+    for (const SidePart& part : side_parts(model_, f))
+      measure(f, quad, part);
   }
 
-  /// Direction and directors are those between the ends of the piece: on half a side those of the element
+  /// Direction and directors are those between the ends of the part: on half a side those of the element
   /// beyond it, however the side is curved.
-  void measure(FaceId f, const ShellQuad& quad, const Piece& piece) {
-    const auto k = static_cast<std::size_t>(piece.side);
+  void measure(FaceId f, const ShellQuad& quad, const SidePart& part) {
+    const auto k = static_cast<std::size_t>(part.side);
     const double length = (quad.x[(k + 1) % 4] - quad.x[k]).norm();
     const SectionStiffness stiffness(model_.section(f), area_[f] / length);
     const Adjacency& adjacency = *model_.adjacency;
     const Vec3 tau =
-        model_.mesh->points[adjacency.to(piece.h)] - model_.mesh->points[adjacency.from(piece.h)];
-    const Vec3 &first = model_.director[piece.h], &last = model_.director[adjacency.next(piece.h)];
+        model_.mesh->points[adjacency.to(part.h)] - model_.mesh->points[adjacency.from(part.h)];
+    const Vec3 &first = model_.director[part.h], &last = model_.director[adjacency.next(part.h)];
     for (std::size_t q = 0; q < side_points; ++q) {
       const double s = q == 0 ? -gauss : gauss;
       const Vec3 V = ((1 - s) * first + (1 + s) * last).normalized();
-      const ShellResultants here = state(f, quad, piece.at(s), V);
+      const ShellResultants here = state(f, quad, part.at(s), V);
       const Vec3 nu = tau.cross(V).normalized();  // outward
-      at(piece.h, q) = {
-          quad.position(piece.at(s)),
+      at(part.h, q) = {
+          quad.position(part.at(s)),
           {here.membrane * nu + here.shear.dot(nu) * V, V.cross(Vec3(here.bending * nu))},
           stiffness.on_side(nu, V),
           stiffness.on_free_border(nu, V)};

@@ -96,9 +96,13 @@ SmoothingResult improve_shapes(const Problem& problem, Mesh& mesh, const std::ve
                                const std::vector<TiedEdge>& tied, int sweeps,
                                std::span<const HangingVertex> hanging) {
   const auto node = tied_nodes(mesh.topology.num_vertices(), tied);
-  Mesh closed = mesh;
-  closed.topology = hanging_faces(mesh.topology, hanging).topology;
-  IdArray<VertexId, char> stays = staying_nodes(problem, closed, surfaces, node);
+  Mesh closed;
+  if (!hanging.empty()) {
+    closed = mesh;
+    closed.topology = hanging_faces(mesh.topology, hanging).topology;
+  }
+  IdArray<VertexId, char> stays =
+      staying_nodes(problem, hanging.empty() ? mesh : closed, surfaces, node);
   for (const HangingVertex& h : hanging)  // it stays if the ends of its side do
     for (const VertexId end : h.ends)
       if (stays[h.vertex]) stays[node[end]] = 1;

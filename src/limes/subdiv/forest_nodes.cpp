@@ -1,7 +1,6 @@
 #include "limes/subdiv/forest_nodes.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "limes/core/error.h"
@@ -13,61 +12,39 @@ namespace limes {
 
 namespace {
 
-/// Gives each fan of faces at a vertex where the rim of a patch touches itself a vertex of its own,
-/// so that the patch is a surface and rules find every edge in the ring of its ends.
-/// @param nodes  of the vertices; copies have the node of what they are copies of
-void part_fans(Topology& topology, int face_size, std::vector<VertexId>& nodes) {
-  const auto fans = corner_fans(topology, group_by_edge(topology));
-  std::vector<VertexId> corners(static_cast<std::size_t>(topology.num_corners()));
-  std::vector<char> met(nodes.size(), 0);
-  for (int i = 0; i < topology.num_corners(); ++i) {
-    const HalfedgeId h(i);
-    const VertexId v = topology.corner(h);
-    VertexId& corner = corners[static_cast<std::size_t>(i)] = v;
-    char& is_met = met[static_cast<std::size_t>(v.value)];
-    if (fans[h] != h) {
-      corner = corners[static_cast<std::size_t>(fans[h].value)];
-    } else if (is_met == 0) {
-      is_met = 1;
-    } else {
-      corner = VertexId(nodes.size());
-      nodes.push_back(nodes[static_cast<std::size_t>(v.value)]);
+/// The faces with vertices numbered as they appear.
+/// @param nodes  of each vertex
+Topology patch_of(std::span<const FaceCorners> faces, int face_size, std::vector<VertexId>& nodes) {
+  std::unordered_map<std::int32_t, VertexId> local;
+  std::vector<VertexId> corners;
+  corners.reserve(4 * faces.size());
+  for (const FaceCorners& face : faces)
+    for (const VertexId v : std::span(face).first(static_cast<std::size_t>(face_size))) {
+      const auto [at, is_new] = local.try_emplace(v.value, VertexId(nodes.size()));
+      if (is_new) nodes.push_back(v);
+      corners.push_back(at->second);
     }
-  }
-  topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(corners));
-}
-
-/// Whether the faces at some vertex form more than one fan.
-bool has_bow_tie(const Adjacency& adjacency) {
-  int num_in_rings = 0;
-  for (int v = 0; v < adjacency.topology().num_vertices(); ++v)
-    num_in_rings += adjacency.num_ring_faces(VertexId(v));
-  return num_in_rings != adjacency.topology().num_corners();
+  return {static_cast<int>(nodes.size()), face_size, std::move(corners)};
 }
 
 }  // namespace
 
-/// Some faces as a mesh of its own, a surface.
+/// Some faces as a mesh of its own, a surface: where their rim touches itself each fan of faces has a vertex of
+/// its own, so that rules find every edge in the ring of its ends.
 struct ForestNodes::Patch {
-  std::vector<VertexId> nodes;  ///< of each of the mesh's vertices
+  /// Of each of the mesh's vertices; copies have the node of what they are copies of.
+  std::vector<VertexId> nodes;
   Topology topology;
-  std::optional<Adjacency> adjacency;  ///< always there
+  Adjacency adjacency;
 
-  Patch(std::span<const FaceCorners> faces, int face_size) {
-    std::unordered_map<std::int32_t, VertexId> local;
-    std::vector<VertexId> corners;
-    corners.reserve(4 * faces.size());
-    for (const FaceCorners& face : faces)
-      for (const VertexId v : std::span(face).first(static_cast<std::size_t>(face_size))) {
-        const auto [at, is_new] = local.try_emplace(v.value, VertexId(nodes.size()));
-        if (is_new) nodes.push_back(v);
-        corners.push_back(at->second);
-      }
-    topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(corners));
-    adjacency.emplace(topology, Adjacency::Check::edges);
-    if (!has_bow_tie(*adjacency)) return;
-    part_fans(topology, face_size, nodes);
-    adjacency.emplace(topology, Adjacency::Check::edges);
+  Patch(std::span<const FaceCorners> faces, int face_size)
+      : topology(patch_of(faces, face_size, nodes)), adjacency(topology, Adjacency::Check::edges) {
+    if (!has_bow_ties(adjacency)) return;
+    FansApart apart = fans_apart(topology);
+    for (const VertexId v : apart.original)
+      nodes.push_back(node(v));
+    topology = Topology(static_cast<int>(nodes.size()), face_size, std::move(apart.corners));
+    adjacency = Adjacency(topology, Adjacency::Check::edges);
   }
   Patch(const Patch&) = delete;
   Patch& operator=(const Patch&) = delete;
@@ -145,7 +122,7 @@ Features ForestNodes::features_of(const Patch& patch, int level) const {
   static_cast<RuleOptions&>(features) = options_;
   features.level = options_.level + level;
   if (!sharp_edges_.empty()) {
-    const Adjacency& adjacency = *patch.adjacency;
+    const Adjacency& adjacency = patch.adjacency;
     for (int e = 0; e < adjacency.num_edges(); ++e) {
       const HalfedgeId h = adjacency.halfedge(EdgeId(e));
       const float s = edge_sharpness(patch.node(adjacency.from(h)), patch.node(adjacency.to(h)));
@@ -162,7 +139,7 @@ Features ForestNodes::features_of(const Patch& patch, int level) const {
 /// @param nodes  of the vertices of the step's child; those of this face are written
 ChildNodes ForestNodes::make_children_of(const Patch& patch, FaceId face,
                                          std::span<VertexId> nodes) {
-  const Adjacency& adjacency = *patch.adjacency;
+  const Adjacency& adjacency = patch.adjacency;
   const QuadrisectionIds ids = quadrisection_ids(adjacency);
   const auto node = [&](VertexId child) -> VertexId& {
     return nodes[static_cast<std::size_t>(child.value)];
@@ -187,7 +164,7 @@ std::vector<ChildNodes> ForestNodes::make(int level, std::span<const FaceCorners
                                           const std::vector<bool>& wanted) {
   const Patch patch(faces, regular_face_size(*scheme_));
   const Features features = features_of(patch, level);
-  const RefinementStep step(*patch.adjacency, features, *scheme_);
+  const RefinementStep step(patch.adjacency, features, *scheme_);
   std::vector<Vec3> coarse;
   coarse.reserve(patch.nodes.size());
   for (const VertexId v : patch.nodes)
