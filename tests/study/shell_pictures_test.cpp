@@ -153,7 +153,7 @@ TEST(ShellPictures, EveryElementHasTheColourOfItsStress) {
   }
 }
 
-/// A shell of steel, held below, pushed from above.
+/// A shell of steel on the plane z = 0.
 ShellResult held_below(const Mesh& mesh) {
   return solved(parse_problem(R"([mesh]
 file = "m.obj"
@@ -166,10 +166,10 @@ poisson = 0.3
 thickness = 0.1
 [[support]]
 where = "z == 0"
-kind = "clamped"
+fix = ["ux", "uy", "uz", "rx", "ry", "rz"]
 [[load]]
-where = "z == 2"
-force_per_length = [0, 0, -1]
+where = "all"
+force_per_area = [0, 0, -1]
 )",
                               "p.toml"),
                 mesh);
