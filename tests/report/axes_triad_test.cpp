@@ -50,7 +50,8 @@ TEST(AxesTriad, PointsAsThePictureDoes) {
 // Three letters, on the page, whatever the view; along an axis too.
 TEST(AxesTriad, LettersStandOnThePage) {
   std::vector<Vec3> directions = random_directions(40);
-  directions.insert(directions.end(), {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+  directions.insert(directions.end(),
+                    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, -1, 0}, {-1, 1, 0}});
   FieldPicture field;
   field.points = cube_corners().surfaces[0].points;
   field.triangles = cube_corners().surfaces[0].triangles;
@@ -75,6 +76,25 @@ TEST(AxesTriad, LettersStandOnThePage) {
       EXPECT_LT(p.y(), page.height - 2) << direction.transpose();
     }
   }
+}
+
+// Looking along (1, -1, 0), x and y are one line on the page.
+TEST(AxesTriad, LettersDoNotOverlap) {
+  std::vector<Vec3> directions = random_directions(2000);
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const double y : {-1.0, 0.0, 1.0})
+      if (x != 0 || y != 0)
+        for (const double z : {-1.0, 0.0, 0.1, 1.0})
+          directions.emplace_back(x, y, z);
+  for (const Vec3& direction : directions) {
+    const AxesTriad triad(fit_camera(cube_corners(), direction, Vec3(0, 0, 1), 1.0).axes);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < i; ++j)
+        EXPECT_GT((triad.label(i) - triad.label(j)).norm(), 12.99) << direction.transpose();
+  }
+  const AxesTriad line(fit_camera(cube_corners(), {1, -1, 0}, Vec3(0, 0, 1), 1.0).axes);
+  EXPECT_LT((line.end(0) - line.end(1)).norm(), 1e-9);
+  EXPECT_GT(line.label(0).norm(), line.label(1).norm());  // y points to the eye
 }
 
 TEST(AxesTriad, PlaneModelsHaveNone) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "limes/core/error.h"
+#include "limes/report/axes_triad.h"
 #include "limes/report/html.h"
 #include "limes/report/plot.h"
 
@@ -201,21 +202,38 @@ TEST(View3d, DataHoldTheModelInTheUnitBall) {
   ASSERT_EQ(colours.size(), 36U);
   EXPECT_EQ(static_cast<unsigned char>(colours[1]), 0x80);
   const std::string normals = block(html, "surface-normals");
-  ASSERT_EQ(normals.size(), 36U);
+  ASSERT_EQ(normals.size(), 48U);
   EXPECT_EQ(normals[2], -127);  // the face in z = 0 looks down
   EXPECT_EQ(block(html, "surface-indices").size(), 12U * 4);
   EXPECT_EQ(block(html, "lines-points").size(), 4U * 3 * 4);
   EXPECT_EQ(block(html, "lines-indices"), std::string("\0\0\0\0\1\0\0\0\1\0\0\0\2\0\0\0", 16));
 }
 
-// The viewer tells the light by the length of the normals: full where lit, short where faint, none where flat.
+// The fourth byte of a normal is the kind of light, by which the shader in the page branches.
 TEST(View3d, NormalsSayTheKindOfLight) {
-  for (const auto& [shading, length] :
-       {std::pair(Shading::lit, 127), std::pair(Shading::faint, 32), std::pair(Shading::flat, 0)}) {
+  for (const auto& [shading, kind] :
+       {std::pair(Shading::flat, 0), std::pair(Shading::faint, 1), std::pair(Shading::lit, 2)}) {
     View3d view = tetrahedron();
     view.scene.surfaces[0].shading = shading;
-    EXPECT_EQ(block(to_html(view), "surface-normals")[2], -length);
+    const std::string normals = block(to_html(view), "surface-normals");
+    EXPECT_EQ(normals[2], -127);
+    for (std::size_t p = 0; p < 12; ++p)
+      EXPECT_EQ(normals[4 * p + 3], kind);
   }
+  HtmlReport report("", "");
+  report.view(tetrahedron(), "");
+  const std::string page = report.text();
+  for (const char* line :
+       {"attribute(\"light\", 1, gl.BYTE, false, 4, 3);", "if (kind == 0 ||", "if (kind == 1) {"})
+    EXPECT_NE(page.find(line), std::string::npos) << line;
+}
+
+// The colours of its axes are data: those of the axes beside still pictures.
+TEST(View3d, AxesHaveTheColoursOfThePictures) {
+  const std::string html = to_html(tetrahedron());
+  EXPECT_NE(html.find("data-axis-colours=\"" + to_css(axis_colours[0]) + " " +
+                      to_css(axis_colours[1]) + " " + to_css(axis_colours[2]) + "\""),
+            std::string::npos);
 }
 
 TEST(View3d, BrokenScenesAreInputErrors) {

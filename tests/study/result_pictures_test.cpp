@@ -59,5 +59,24 @@ TEST(ResultPictures, DisplacementsAreDrawnLargeEnoughToSee) {
   EXPECT_NE(figure.caption.find("Displacements are drawn 0."), std::string::npos) << figure.caption;
 }
 
+// Two holes beside each other are paper, and so is the side between them; the other faces are not.
+TEST(ErrorFigure, LeavesHolesOpen) {
+  Mesh mesh = testing::grid(4, 4, [](const Vec2& p) { return p; });
+  mesh.tags.holes = {FaceId(5), FaceId(6)};
+  AdaptiveRun run;
+  for (int f = 0; f < 16; ++f)
+    run.squares.push_back(f == 5 || f == 6 ? 0 : f + 1);
+  const Image image = error_figure(run, mesh, std::nullopt).image;
+  const auto is_paper = [&](double x, double y) {
+    const auto pixel = image.pixel(static_cast<int>(x * image.width()),
+                                   static_cast<int>((1 - y) * image.height()));
+    return std::ranges::all_of(pixel, [](int c) { return c == 255; });
+  };
+  for (int f = 0; f < 16; ++f)
+    EXPECT_EQ(is_paper((f % 4 + 0.5) / 4, (f / 4 + 0.5) / 4), f == 5 || f == 6) << f;
+  EXPECT_TRUE(is_paper(0.5, 0.375));
+  EXPECT_FALSE(is_paper(0.5, 0.625));
+}
+
 }  // namespace
 }  // namespace limes

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include "limes/core/types.h"
 #include "limes/report/canvas.h"
 
 namespace limes {
+
+/// Of x, y, z; in the views to turn as well.
+inline constexpr std::array axis_colours{palette::series[1], palette::series[2],
+                                         palette::series[0]};
 
 /// The axes x, y, z as a camera sees them from their origin, to be drawn beside a picture.
 class AxesTriad {
@@ -17,6 +23,9 @@ class AxesTriad {
 
   /// End of axis i relative to the origin, y downwards, as in a Canvas.
   [[nodiscard]] Vec2 end(int i) const { return ends_[static_cast<std::size_t>(i)]; }
+  /// Middle of its letter. Letters do not overlap: of two axes that coincide, the farther one has its letter
+  /// farther out.
+  [[nodiscard]] Vec2 label(int i) const { return labels_[static_cast<std::size_t>(i)]; }
 
  private:
   void draw_axis(Canvas& canvas, const Vec2& origin, int i) const;

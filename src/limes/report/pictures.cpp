@@ -52,6 +52,13 @@ Camera camera_for(const Scene& scene, const PictureOptions& options, const Pictu
                            : top_camera(scene, aspect, plane_margin);
 }
 
+std::vector<bool> are_holes(int num_faces, std::span<const FaceId> holes) {
+  std::vector<bool> out(static_cast<std::size_t>(num_faces), false);
+  for (const FaceId f : holes)
+    out[static_cast<std::size_t>(f.value)] = true;
+  return out;
+}
+
 bool has_segments(const Lines& lines) {
   return !lines.segments.empty();
 }
@@ -74,11 +81,14 @@ std::vector<VertexId> extraordinary_vertices(const Topology& topology) {
   return result;
 }
 
-Lines edge_lines(const Topology& topology, std::span<const Vec3> points) {
+Lines edge_lines(const Topology& topology, std::span<const Vec3> points,
+                 std::span<const FaceId> holes) {
   LIMES_ASSERT(static_cast<int>(points.size()) >= topology.num_vertices());
   Lines lines;
   lines.points.assign(points.begin(), points.end());
+  const std::vector<bool> hole = are_holes(topology.num_faces(), holes);
   for (int f = 0; f < topology.num_faces(); ++f) {
+    if (hole[static_cast<std::size_t>(f)]) continue;
     const auto face = topology.face(FaceId(f));
     for (std::size_t i = 0; i < face.size(); ++i) {
       const auto [a, b] = std::minmax({face[i].value, face[(i + 1) % face.size()].value});
@@ -114,9 +124,7 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
   Surface surface;
   surface.points = mesh.points.vector();
   surface.shading = options.direction ? Shading::lit : Shading::flat;
-  std::vector<bool> hole(static_cast<std::size_t>(mesh.topology.num_faces()), false);
-  for (const FaceId f : mesh.tags.holes)
-    hole[static_cast<std::size_t>(f.value)] = true;
+  const std::vector<bool> hole = are_holes(mesh.topology.num_faces(), mesh.tags.holes);
   std::array<bool, category_looks.size()> occurs{};
   for (std::size_t t = 0; t < cells.triangles.size(); ++t) {
     const auto face = static_cast<std::size_t>(cells.source[t]);
@@ -146,6 +154,22 @@ Figure control_mesh_figure(const Mesh& mesh, const PictureOptions& options) {
                              .kind = LegendEntry::Kind::marker,
                              .colour = palette::paper});
   return figure;
+}
+
+FieldPicture corner_field(const Topology& topology, std::span<const Vec3> points,
+                          std::vector<double> values, std::span<const FaceId> holes) {
+  FieldPicture out;
+  out.values = std::move(values);
+  const std::vector<bool> hole = are_holes(topology.num_faces(), holes);
+  for (int f = 0; f < topology.num_faces(); ++f) {
+    const int first = static_cast<int>(out.points.size());
+    for (const VertexId v : topology.face(FaceId(f)))
+      out.points.push_back(points[static_cast<std::size_t>(v.value)]);
+    if (hole[static_cast<std::size_t>(f)]) continue;
+    for (int k = 2; k < topology.face_size(FaceId(f)); ++k)
+      out.triangles.push_back({first, first + k - 1, first + k});
+  }
+  return out;
 }
 
 Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space) {

@@ -23,8 +23,9 @@ enum class FaceCategory {
 /// that of a straight boundary (2; triangles 3) nor 1.
 [[nodiscard]] std::vector<VertexId> extraordinary_vertices(const Topology& topology);
 
-/// Every edge of the mesh once.
-[[nodiscard]] Lines edge_lines(const Topology& topology, std::span<const Vec3> points);
+/// Every edge of the mesh once, but for those that only holes have.
+[[nodiscard]] Lines edge_lines(const Topology& topology, std::span<const Vec3> points,
+                               std::span<const FaceId> holes = {});
 
 /// Common wishes for a picture. The size is an upper limit: pictures get the model's proportions.
 struct PictureOptions {
@@ -58,6 +59,15 @@ struct FieldPicture {
   /// Per point, for the shading in space; empty: from the triangles. They change the colours by 6 % at most.
   std::vector<Vec3> normals = {};
 };
+/// With more faces than this, lines along their sides would hide the colours of a field.
+inline constexpr int most_faces_with_sides = 20'000;
+/// A field that may jump between faces: every corner of a face has a point of its own.
+/// @param points  per vertex
+/// @param values  per halfedge: at the corner where it starts
+/// @param holes   faces to be left open; what they have in `points` and `values` still counts for the frame and the bar
+[[nodiscard]] FieldPicture corner_field(const Topology& topology, std::span<const Vec3> points,
+                                        std::vector<double> values,
+                                        std::span<const FaceId> holes = {});
 /// @param in_space  seen from any side: shaded faintly
 [[nodiscard]] Scene field_scene(const FieldPicture& field, const ColourScale& scale, bool in_space);
 [[nodiscard]] Figure field_figure(const FieldPicture& field, const PictureOptions& options);

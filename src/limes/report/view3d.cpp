@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "limes/core/text.h"
+#include "limes/report/axes_triad.h"
 #include "limes/report/canvas.h"
 #include "limes/report/render.h"
 
@@ -26,14 +27,14 @@ struct Buffers {
   std::string points, normals, colours, indices;
   std::uint32_t count = 0;
 
-  /// The shader tells the kind of light by the length of the normal: 1, 1/4 or 0.
+  /// Three bytes of a normal and one with the kind of light: 0 none, 1 faint, 2 lit.
   void add_point(const Vec3& p, Vec3 normal, Shading shading, const Colour& colour) {
     normal.normalize();  // zero stays zero
-    const double length = shading == Shading::lit ? 127 : shading == Shading::faint ? 32 : 0;
     for (int i = 0; i < 3; ++i) {
       append(points, static_cast<float>(p[i]));
-      normals += static_cast<char>(std::lround(length * normal[i]));
+      normals += static_cast<char>(std::lround(127 * normal[i]));
     }
+    normals += static_cast<char>(shading == Shading::lit ? 2 : shading == Shading::faint ? 1 : 0);
     for (const std::uint8_t c : to_bytes(colour))
       colours += static_cast<char>(c);
     ++count;
@@ -138,14 +139,16 @@ std::string to_html(const View3d& view) {
     add_lines(l, ball, lines);
 
   std::string html = fmt::format(
-      "<div class=\"view3d\" style=\"width:{0}px\" data-slope=\"{2}\" data-axes=\"{3}\">\n"
+      "<div class=\"view3d\" style=\"width:{0}px\" data-slope=\"{2}\" data-axes=\"{3}\" "
+      "data-axis-colours=\"{6} {7} {8}\">\n"
       "<img width=\"{0}\" height=\"{1}\" alt=\"{4}\" src=\"data:image/png;base64,{5}\">\n"
       "<canvas tabindex=\"0\" style=\"aspect-ratio:{0}/{1}\" aria-label=\"{4}\"></canvas>\n"
       "<div class=\"controls\"><label><input type=\"checkbox\" checked> edges</label>"
       "<button type=\"button\">reset</button><span>drag to turn, click then wheel to zoom, "
       "shift-drag to move</span></div>\n",
       view.size.width, view.size.height, format_real(camera.half_height), axes_text(camera.axes),
-      escape_markup(view.description), base64(encode_png(still)));
+      escape_markup(view.description), base64(encode_png(still)), to_css(axis_colours[0]),
+      to_css(axis_colours[1]), to_css(axis_colours[2]));
   html += data_block("surface-points", triangles.points);
   html += data_block("surface-normals", triangles.normals);
   html += data_block("surface-colours", triangles.colours);

@@ -4,23 +4,23 @@
 "use strict";
 (() => {
   const vertexShader = `#version 300 es
-    in vec3 position; in vec3 normal; in vec3 colour;
+    in vec3 position; in vec3 normal; in float light; in vec3 colour;
     uniform mat3 turn; uniform vec3 shift; uniform vec4 lens; uniform float nearer;
-    out vec3 n; out vec3 c;
+    out vec3 n; out vec3 c; flat out int kind;
     void main() {
       vec3 p = (turn * position + shift) * nearer;      // along the ray: only the depth changes
-      n = turn * normal; c = colour;
+      n = turn * normal; c = colour; kind = int(light);
       gl_Position = vec4(lens.x * p.x, lens.y * p.y, lens.z * p.z + lens.w, -p.z);
     }`;
-  // The same lights as in the still pictures (raster_shader.h): no normal means none, a short one the
-  // faint shading of fields.
+  // The same lights as in the still pictures (raster_shader.h). Kind 0: none, also without a normal;
+  // 1: the faint shading of fields; 2: lit.
   const fragmentShader = `#version 300 es
     precision highp float;
-    in vec3 n; in vec3 c; out vec4 colour;
+    in vec3 n; in vec3 c; flat in int kind; out vec4 colour;
     void main() {
-      if (dot(n, n) < 0.01) { colour = vec4(c, 1.0); return; }
+      if (kind == 0 || dot(n, n) == 0.0) { colour = vec4(c, 1.0); return; }
       vec3 m = normalize(n) * (gl_FrontFacing ? 1.0 : -1.0);
-      if (dot(n, n) < 0.09) { colour = vec4(c * (0.94 + 0.06 * max(0.0, m.z)), 1.0); return; }
+      if (kind == 1) { colour = vec4(c * (0.94 + 0.06 * max(0.0, m.z)), 1.0); return; }
       float wrapped = max(0.0, 0.25 + 0.75 * dot(m, vec3(-0.466, 0.577, 0.671)));
       float light = 0.22 + 0.62 * wrapped * wrapped + 0.18 * max(0.0, dot(m, vec3(0.883, 0.052, 0.467)))
                   + 0.18 * max(0.0, m.z);
@@ -51,16 +51,24 @@
   function upload(gl, program, view, kind, hasNormals) {
     const array = gl.createVertexArray();
     gl.bindVertexArray(array);
-    const attribute = (name, data, type, normalised) => {
-      const at = gl.getAttribLocation(program, name);
+    const buffer = data => {
       gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
       gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, 3, type, normalised, 0, 0);
     };
-    attribute("position", decode(view, kind + "-points", Float32Array), gl.FLOAT, false);
-    attribute("colour", decode(view, kind + "-colours", Uint8Array), gl.UNSIGNED_BYTE, true);
-    if (hasNormals) attribute("normal", decode(view, kind + "-normals", Int8Array), gl.BYTE, true);
+    const attribute = (name, size, type, normalised, stride, offset) => {   // in the buffer made last
+      const at = gl.getAttribLocation(program, name);
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, size, type, normalised, stride, offset);
+    };
+    buffer(decode(view, kind + "-points", Float32Array));
+    attribute("position", 3, gl.FLOAT, false, 0, 0);
+    buffer(decode(view, kind + "-colours", Uint8Array));
+    attribute("colour", 3, gl.UNSIGNED_BYTE, true, 0, 0);
+    if (hasNormals) {                                     // else there is no light
+      buffer(decode(view, kind + "-normals", Int8Array));
+      attribute("normal", 3, gl.BYTE, true, 4, 0);
+      attribute("light", 1, gl.BYTE, false, 4, 3);
+    }
     const indices = decode(view, kind + "-indices", Uint32Array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
@@ -74,22 +82,33 @@
     return axis === "x" ? [[1, 0, 0], [0, c, -s], [0, s, c]] : [[c, 0, s], [0, 1, 0], [-s, 0, c]];
   }
 
-  // x, y, z in the lower left corner, in the colours of the still pictures (axes_triad.cpp); returns what turns them.
+  // x, y, z in the lower left corner, as beside the still pictures (axes_triad.cpp); returns what turns them.
   function addTriad(view, canvas) {
     const axis = (name, colour) => `<line stroke="${colour}"/><text fill="${colour}">${name}</text>`;
     view.insertAdjacentHTML("beforeend", `<svg class="triad" viewBox="-45 -45 90 90">
-      ${axis("x", "#c8452f")}${axis("y", "#2f8a57")}${axis("z", "#1f5fa8")}</svg>`);
+      ${view.dataset.axisColours.split(" ").map((colour, i) => axis("xyz"[i], colour)).join("")}</svg>`);
     const svg = view.querySelector(".triad"), lines = svg.querySelectorAll("line"), labels = svg.querySelectorAll("text");
     return turn => {
       svg.style.top = `${canvas.offsetTop + canvas.clientHeight - 96}px`;
-      for (let i = 0; i < 3; ++i) {
+      const at = [0, 1, 2].map(i => {
         const x = 28 * turn[0][i], y = -28 * turn[1][i], length = Math.hypot(x, y);
         lines[i].setAttribute("x2", x);
         lines[i].setAttribute("y2", y);
-        const seen = length > 4, out = 1 + 10 / length;     // along the line of sight: the letter beside the middle
-        labels[i].setAttribute("x", seen ? out * x : 10);
-        labels[i].setAttribute("y", (seen ? out * y : -10) + 4);
-      }
+        const out = 1 + 10 / length;                      // along the line of sight: the letter beside the middle
+        return length > 4 ? [out * x, out * y] : [10, -10];
+      });
+      const order = [0, 1, 2].sort((i, j) => turn[2][j] - turn[2][i]);   // the nearest end first
+      for (let i = 1; i < 3; ++i)
+        for (let j = 0; j < i; ++j) {                     // of two letters on each other the farther one moves out
+          const [x, y] = at[order[i]], nearer = at[order[j]];
+          if (Math.hypot(x - nearer[0], y - nearer[1]) >= 13) continue;
+          const out = (Math.hypot(...nearer) + 13) / Math.hypot(x, y);
+          at[order[i]] = [out * x, out * y];
+        }
+      at.forEach(([x, y], i) => {
+        labels[i].setAttribute("x", x);
+        labels[i].setAttribute("y", y + 4);
+      });
     };
   }
 

@@ -113,8 +113,7 @@ std::string how_refined(const AdaptSettings& settings) {
                                                                        : "doerfler";
   std::string text = fmt::format(
       "Errors are estimated by {}, elements marked by {} with the share {}, and where finer "
-      "elements "
-      "meet coarser ones {}.",
+      "elements meet coarser ones {}.",
       settings.estimator == EstimatorKind::residual ? "residuals" : "recovery (Zienkiewicz-Zhu)",
       marking, format_readable(settings.share, 3),
       settings.closure == Closure::hanging ? "vertices hang in sides" : "the coarser ones are cut");
@@ -188,27 +187,23 @@ std::optional<Drawing> steps_drawing(const AdaptiveRun& run) {
 
 Figure error_figure(const AdaptiveRun& run, const Mesh& mesh,
                     const std::optional<Vec3>& direction) {
-  FieldPicture field;
   constexpr double lowest_shown = 0.01;
   double largest = 0;
   for (const double square : run.squares)
     largest = std::max(largest, std::sqrt(square));
+  std::vector<double> colours;
   for (int f = 0; f < mesh.topology.num_faces(); ++f) {
     const double part = std::sqrt(run.squares[static_cast<std::size_t>(f)]) / largest;
     const double colour = part > lowest_shown ? std::log10(part) : std::log10(lowest_shown);
-    const int first = static_cast<int>(field.points.size());
-    for (const VertexId v : mesh.topology.face(FaceId(f))) {
-      field.points.push_back(mesh.points[v]);
-      field.values.push_back(colour);
-    }
-    for (int k = 2; k < mesh.topology.face_size(FaceId(f)); ++k)
-      field.triangles.push_back({first, first + k - 1, first + k});
+    colours.insert(colours.end(), static_cast<std::size_t>(mesh.topology.face_size(FaceId(f))),
+                   colour);
   }
+  FieldPicture field =
+      corner_field(mesh.topology, mesh.points.span(), std::move(colours), mesh.tags.holes);
   field.quantity = "log_{10} η / η_{max}";
   field.scale = ColourScale{.low = std::log10(lowest_shown), .high = 0};
-  constexpr int most_faces = 20'000;
-  if (mesh.topology.num_faces() < most_faces) {
-    field.mesh_lines = edge_lines(mesh.topology, mesh.points.span());
+  if (mesh.topology.num_faces() < most_faces_with_sides) {
+    field.mesh_lines = edge_lines(mesh.topology, mesh.points.span(), mesh.tags.holes);
     field.mesh_lines.width = 0.35;
   }
   return field_figure(

@@ -39,6 +39,7 @@ nlohmann::ordered_json result_json(const PoissonResult& result, bool with_timing
   out["dofs"] = solution.num_unknowns;
   out["elements"] = model.space->elements().size();
   out["strain_energy"] = solution.strain_energy;
+  out["units"] = units_json(model.problem.units);
   out["probes"] = probes_json(result);
   out["load"] = solution.load;
   out["reactions"] = Json::array();

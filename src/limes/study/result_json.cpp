@@ -52,6 +52,7 @@ nlohmann::ordered_json result_json(const PlaneResult& result, bool with_timings)
   out["dofs"] = solution.num_unknowns;
   out["elements"] = model.space->elements().size();
   out["strain_energy"] = solution.strain_energy;
+  out["units"] = units_json(model.problem.units);
   out["probes"] = probes_json(result);
   out["loads"] = {{"force", {solution.loads(0), solution.loads(1), 0.0}},
                   {"moment", {0.0, 0.0, solution.loads(2)}}};

@@ -9,6 +9,13 @@ namespace limes {
 
 using Json = nlohmann::ordered_json;
 
+Json units_json(const UnitSettings& units) {
+  Json out = Json::object();
+  if (!units.length.empty()) out["length"] = units.length;
+  if (!units.force.empty()) out["force"] = units.force;
+  return out;
+}
+
 Json checks_json(const std::vector<SolutionCheck>& checks) {
   Json out = Json::array();
   for (const SolutionCheck& c : checks)

@@ -13,6 +13,9 @@ namespace limes {
 
 // What results of every kind of problem have.
 
+/// The user's names of units, where they are given.
+[[nodiscard]] nlohmann::ordered_json units_json(const UnitSettings& units);
+
 [[nodiscard]] nlohmann::ordered_json checks_json(const std::vector<SolutionCheck>& checks);
 
 /// Seconds by phase, and bytes.

@@ -112,7 +112,7 @@ Figure ResultPictures::von_mises() const {
 Figure ResultPictures::deformed() const {
   std::vector<double> length;
   for (const Vec2& u : displacement_)
-    length.push_back(u.norm());
+    length.push_back(u.stableNorm());
   const double diagonal = result_.model.diagonal;
   const double factor = exaggeration(range_of(length).high, diagonal);
   FieldPicture picture{points_, triangles_, length, "|u|", result_.model.problem.units.length};
@@ -134,6 +134,7 @@ Figure ResultPictures::deformed() const {
 double exaggeration(double largest, double diagonal) {
   if (!(largest > 0)) return 1;
   const double most = 0.1 * diagonal / largest;
+  if (!std::isfinite(most)) return 1;
   const double power = std::pow(10.0, std::floor(std::log10(most)));
   for (const double step : {5.0, 2.0})
     if (step * power <= most) return step * power;

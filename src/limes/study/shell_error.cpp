@@ -37,11 +37,6 @@ ShellResultants in_space(const PlaneResultants& p, const Axes& axes, const Vec3&
   return {axes * n * axes.transpose(), axes * m * axes.transpose(), axes * p.tail<2>(), normal};
 }
 
-ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,
-                      const Vec2& rs) {
-  return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
-}
-
 /// Resultants around a node, linear in its tangent plane.
 struct PatchFit {
   Vec3 x, director;
@@ -92,7 +87,7 @@ IdArray<HalfedgeId, ShellResultants> recovered(const ShellModel& model,
   const int n = model.mesh->topology.num_faces();
   IdArray<FaceId, ShellResultants> centre(static_cast<std::size_t>(n));
   for_each_index(n, [&](std::int64_t f) {
-    centre[FaceId(f)] = state(model, solution, FaceId(f), Vec2::Zero());
+    centre[FaceId(f)] = resultants_at(model, solution, FaceId(f), Vec2::Zero());
   });
   const auto patches =
       recovery_patches(*model.adjacency, [&](HalfedgeId h) { return is_smooth_across(model, h); });
@@ -147,7 +142,7 @@ std::vector<double> estimate_error(const ShellModel& model, const ShellSolution&
     for (const double r : {-gauss, gauss})
       for (const double s : {-gauss, gauss}) {
         const Vec2 rs(r, s);
-        const ShellResultants here = state(model, solution, f, rs);
+        const ShellResultants here = resultants_at(model, solution, f, rs);
         out[static_cast<std::size_t>(i)] +=
             quad.area_normal(rs).norm() *
             energy_between(interpolated(corner, rs, here.normal), here, model.section(f));

@@ -47,11 +47,6 @@ ShellModel finer_hanging_model(const ShellModel& model, const ShellForest& shell
   return shell_model_on(problem, std::move(fine.mesh), tied, fine.hanging);
 }
 
-ShellResultants state(const ShellModel& model, const ShellSolution& solution, FaceId f,
-                      const Vec2& rs) {
-  return mitc4_resultants(model.quad(f), model.section(f), model.unknowns(f, solution.u), rs);
-}
-
 }  // namespace
 
 ShellModel finer_model(const ShellModel& model, const ShellForest& shell,
@@ -76,9 +71,9 @@ std::vector<double> error_against(const ShellModel& finer, const ShellSolution& 
       for (const double r : {-gauss, gauss})
         for (const double s : {-gauss, gauss}) {
           const Vec2 uv(0.5 + r / 2, 0.5 + s / 2);
-          const ShellResultants exact = state(finer, finer_solution, child, {r, s});
-          const ShellResultants here =
-              state(model, solution, FaceId(i), 2 * in_ancestor(uv, path, levels) - Vec2(1, 1));
+          const ShellResultants exact = resultants_at(finer, finer_solution, child, {r, s});
+          const ShellResultants here = resultants_at(
+              model, solution, FaceId(i), 2 * in_ancestor(uv, path, levels) - Vec2(1, 1));
           out[static_cast<std::size_t>(i)] +=
               quad.area_normal({r, s}).norm() *
               energy_between(turned(here, exact.normal), exact, finer.section(child));

@@ -11,11 +11,8 @@ LayerStress von_mises_in_layers(const ShellResultants& resultants, double thickn
 }
 
 ShellState state_at_centre(const ShellModel& model, const ShellSolution& solution, FaceId face) {
-  const ShellSection section = model.section(face);
-  ShellState out{
-      mitc4_resultants(model.quad(face), section, model.unknowns(face, solution.u), Vec2::Zero()),
-      {}};
-  out.von_mises = von_mises_in_layers(out.resultants, section.thickness);
+  ShellState out{resultants_at(model, solution, face, Vec2::Zero()), {}};
+  out.von_mises = von_mises_in_layers(out.resultants, model.section(face).thickness);
   return out;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "limes/study/shell_solution.h"
 
 namespace limes {

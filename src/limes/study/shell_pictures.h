@@ -2,7 +2,7 @@
 
 #include "limes/report/pictures.h"
 #include "limes/report/view3d.h"
-#include "limes/study/shell_layers.h"
+#include "limes/study/shell_pieces.h"
 #include "limes/study/shell_result.h"
 
 namespace limes {
@@ -23,23 +23,30 @@ class ShellPictures {
  public:
   /// Keeps a reference to the result.
   explicit ShellPictures(const ShellResult& result);
+  explicit ShellPictures(ShellResult&&) = delete;
 
   /// Length of the displacement, on the deformed shape, before the borders of the undeformed one.
   [[nodiscard]] Figure displacement() const;
   /// One value per element, at its centre: nothing is averaged. Both sides have the same scale, from 0.
   [[nodiscard]] Figure von_mises(ShellSide side) const;
-  /// The stress at the top as a model to turn; none of a mesh so fine that it would make the report large.
+  /// Of both sides.
+  [[nodiscard]] const ColourScale& stress_scale() const { return stress_scale_; }
+
+  static constexpr int most_faces_to_turn = 5'000;  ///< some 200 bytes of the report each
+  /// The stress at the top as a model to turn; none with more faces than that.
   [[nodiscard]] std::optional<View3d> view() const;
 
  private:
-  /// Triangles with a corner of their own at every corner of a face; values are still missing.
-  [[nodiscard]] FieldPicture surface(const std::vector<Vec3>& points) const;
+  /// Sides of elements and, darker, borders of smooth pieces.
+  void add_lines(const std::vector<Vec3>& points, FieldPicture& field) const;
+  [[nodiscard]] std::string largest_text(const std::vector<double>& stress) const;
   [[nodiscard]] FieldPicture stress_field(const std::vector<double>& values) const;
-  [[nodiscard]] std::string sides_seen() const;
 
   const ShellResult& result_;
+  PieceEdges edges_;
   std::vector<double> top_, bottom_;  ///< von Mises stress per face
   ColourScale stress_scale_;
+  std::string sides_;  ///< which of them these pictures show
 };
 
 }  // namespace limes

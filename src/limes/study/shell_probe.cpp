@@ -1,6 +1,9 @@
 #include "limes/study/shell_probe.h"
 
+#include <utility>
+
 #include "limes/limit/closest_point.h"
+#include "limes/mesh/adjacency.h"
 #include "limes/subdiv/features.h"
 #include "limes/subdiv/schemes.h"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "limes/study/shell_layers.h"
 
 namespace limes {
@@ -12,8 +15,8 @@ struct ShellProbe {
   double distance;
   FaceId face;
   Vec3 displacement;
-  Vec3
-      rotation;  ///< vector about the global axes, in radians; none about the director of a smooth node
+  /// Vector about the global axes, in radians; none about the director of a smooth node.
+  Vec3 rotation;
   ShellState state;  ///< at the centre of that element
 };
 [[nodiscard]] std::vector<ShellProbe> probe(const ShellModel& model, const ShellSolution& solution);

@@ -48,8 +48,8 @@ void add_probes(const ShellResult& result, HtmlReport& report) {
   report.section("Probes");
   report.paragraph(
       "What the nearest points of the elements do. Vectors have components along the axes x, y, z "
-      "of the "
-      "model; rotations are those of one small turn about these axes, by the right-hand rule, in "
+      "of the model; rotations are those of one small turn about these axes, by the right-hand "
+      "rule, in "
       "radians.");
   Table places{in_unit("Points and displacements", units.length),
                {"probe", "x", "y", "z", "u_{x}", "u_{y}", "u_{z}"},
@@ -67,6 +67,16 @@ void add_probes(const ShellResult& result, HtmlReport& report) {
   }
   for (const Table& table : {places, turns, stresses})
     report.table(table);
+}
+
+void add_view(const ShellPictures& pictures, const std::string& unit, HtmlReport& report) {
+  if (const auto view = pictures.view())
+    report.view(*view, fmt::format("The stress at the top, to turn, in the colours of the pictures "
+                                   "above: from 0 to {}.",
+                                   with_unit(format_readable(pictures.stress_scale().high), unit)));
+  else
+    report.paragraph(fmt::format("There is no view to turn: the mesh has more than {} elements.",
+                                 ShellPictures::most_faces_to_turn));
 }
 
 void add_tables(const ShellResult& result, HtmlReport& report) {
@@ -98,13 +108,11 @@ std::vector<ReportFile> report_files(const ShellResult& result) {
   report.section("Stress");
   report.paragraph(
       "Von Mises stress of membrane and bending forces, one value per element, at its centre: "
-      "nothing is "
-      "averaged between elements. Both pictures have the same scale.");
+      "nothing is averaged between elements. Both pictures have the same scale.");
   add_picture(drawing(pictures.von_mises(ShellSide::top)), "von-mises-top.png", report, files);
   add_picture(drawing(pictures.von_mises(ShellSide::bottom)), "von-mises-bottom.png", report,
               files);
-  if (const auto view = pictures.view())
-    report.view(*view, "The stress at the top, in the colours of the pictures above, to turn.");
+  add_view(pictures, stress_unit(problem.units), report);
   if (result.adaptive)
     add_adaptive_section(*result.model.problem.adapt, *result.adaptive, *result.model.mesh,
                          shell_view_direction(), report, files);

@@ -161,12 +161,6 @@ class ShellResiduals {
   }
 
  private:
-  [[nodiscard]] ShellResultants state(FaceId f, const ShellQuad& quad, const Vec2& rs,
-                                      const Vec3& director) const {
-    return turned(mitc4_resultants(quad, model_.section(f), model_.unknowns(f, solution_.u), rs),
-                  director);
-  }
-
   void measure(FaceId f) {
     const ShellQuad quad = model_.quad(f);
     double area = 0;
@@ -190,7 +184,7 @@ class ShellResiduals {
     for (std::size_t q = 0; q < side_points; ++q) {
       const double s = q == 0 ? -gauss : gauss;
       const Vec3 V = ((1 - s) * first + (1 + s) * last).normalized();
-      const ShellResultants here = state(f, quad, part.at(s), V);
+      const ShellResultants here = turned(resultants_at(model_, solution_, f, part.at(s)), V);
       const Vec3 nu = tau.cross(V).normalized();  // outward
       at(part.h, q) = {
           quad.position(part.at(s)),
@@ -277,7 +271,8 @@ class ShellResiduals {
     std::array<Mat3, 4> T, M;
     const auto points = inner_points();
     for (std::size_t i = 0; i < 4; ++i) {
-      states[i] = state(f, quad, points[i], director_at(quad, points[i]));
+      states[i] =
+          turned(resultants_at(model_, solution_, f, points[i]), director_at(quad, points[i]));
       T[i] = states[i].membrane + states[i].normal * states[i].shear.transpose();
       M[i] = states[i].bending;
     }

@@ -20,16 +20,6 @@ std::array<double, 6> components(const Mat3& m) {
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)};
 }
 
-/// Names of the user's units where they are given, and what is always so.
-Json units_json(const UnitSettings& units) {
-  Json out = Json::object();
-  if (!units.length.empty()) out["length"] = units.length;
-  if (!units.force.empty()) out["force"] = units.force;
-  out["rotation"] = "rad";
-  out["axes"] = "x, y, z of the model; rotations and moments by the right-hand rule";
-  return out;
-}
-
 Json layers(const LayerStress& s) {
   return {{"top", s.top}, {"middle", s.middle}, {"bottom", s.bottom}};
 }
@@ -83,6 +73,7 @@ nlohmann::ordered_json result_json(const ShellResult& result, bool with_timings)
   out["kink_nodes"] = solution.num_kink_nodes;
   out["strain_energy"] = solution.strain_energy;
   out["units"] = units_json(model.problem.units);
+  out["units"]["rotation"] = "rad";
   out["probes"] = probes_json(result);
   out["loads"] = {{"force", list(solution.loads.force)}, {"moment", list(solution.loads.moment)}};
   out["reactions"] = Json::array();

@@ -98,6 +98,12 @@ ShellMatrix element_stiffness(const ShellModel& model, FaceId f) {
 
 }  // namespace
 
+ShellResultants resultants_at(const ShellModel& model, const ShellSolution& solution, FaceId face,
+                              const Vec2& rs) {
+  return mitc4_resultants(model.quad(face), model.section(face), model.unknowns(face, solution.u),
+                          rs);
+}
+
 SparseMatrix shell_matrix(const ShellModel& model) {
   const Topology& t = model.mesh->topology;
   const int n = t.num_faces();

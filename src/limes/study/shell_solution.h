@@ -34,6 +34,10 @@ struct ShellSolution {
 ///         factorisation fails
 [[nodiscard]] ShellSolution solve_shell(const ShellModel& model);
 
+/// What a face carries at a point, rs from -1 to 1.
+[[nodiscard]] ShellResultants resultants_at(const ShellModel& model, const ShellSolution& solution,
+                                            FaceId face, const Vec2& rs);
+
 /// Sum of the element matrices, six unknowns per vertex.
 [[nodiscard]] SparseMatrix shell_matrix(const ShellModel& model);
 
