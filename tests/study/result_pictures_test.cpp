@@ -1,6 +1,7 @@
 #include "limes/study/result_pictures.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "study/annulus.h"
 #include "study/solved.h"
@@ -57,6 +58,13 @@ TEST(ResultPictures, DisplacementsAreDrawnLargeEnoughToSee) {
   const PlaneResult result = solved_ring();
   const Figure figure = ResultPictures(result).deformed();
   EXPECT_NE(figure.caption.find("Displacements are drawn 0."), std::string::npos) << figure.caption;
+}
+
+TEST(ResultJson, NamesTheUnits) {
+  PlaneResult result = solved_ring();
+  EXPECT_EQ(result_json(result)["units"].dump(), "{}");
+  result.model.problem.units = {.length = "m", .force = "kN"};
+  EXPECT_EQ(result_json(result)["units"].dump(), R"({"length":"m","force":"kN"})");
 }
 
 // Two holes beside each other are paper, and so is the side between them; the other faces are not.

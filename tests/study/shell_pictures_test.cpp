@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "convergence/plane_meshes.h"
@@ -226,6 +227,25 @@ TEST(ShellPictures, CaptionsHaveTheLargestStressWithUnits) {
   EXPECT_NE(caption.find(") mm. Top is"), std::string::npos) << caption;
   strip.solution.u.setZero();
   EXPECT_EQ(ShellPictures(strip).von_mises(ShellSide::top).caption.find("No stress. Top is"), 0U);
+}
+
+// The view to turn has no bar: its caption says what the colours mean. Of fine meshes there is no view.
+TEST(ShellPictures, ReportsSayWhatTheViewShows) {
+  const auto page = [](const ShellResult& result) { return report_files(result).back().bytes; };
+  ShellResult strip = stepped_strip();
+  EXPECT_NE(page(strip).find("the pictures above: from 0 to 3 N/mm<sup>2</sup>."),
+            std::string::npos);
+  strip.model = build_shell_model(strip.model.problem, testing::grid(72, 70, [](const Vec2& p) {
+                                    return Vec2(2 * p.x(), p.y());
+                                  }));
+  strip.solution.u = VectorX::Zero(strip.model.num_unknowns());
+  EXPECT_NE(page(strip).find("There is no view to turn: the mesh has more than 5000 elements."),
+            std::string::npos);
+}
+
+TEST(ShellPictures, ResultsNameTheUnits) {
+  const nlohmann::ordered_json units = result_json(stepped_strip())["units"];
+  EXPECT_EQ(units.dump(), R"({"length":"mm","force":"N","rotation":"rad"})");
 }
 
 // 1e-200 squared is 0.
