@@ -40,8 +40,6 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
     return work();
   } catch (const PlacedError&) {
     throw;
-  } catch (const FaceError&) {
-    throw;
   } catch (const InputError& error) {
     throw InputError("{}: {}", file.string(), error.what());
   }
@@ -50,11 +48,13 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
 /// The same, naming also the line of the face that is wrong.
 template <class Work>
 auto naming_file(const std::filesystem::path& file, const Mesh& mesh, const Work& work) {
-  try {
-    return naming_file(file, work);
-  } catch (const FaceError& error) {
-    throw InputError("{}: {}", place_of(mesh, error.face(), file.string()), error.what());
-  }
+  return naming_file(file, [&] {
+    try {
+      return work();
+    } catch (const FaceError& error) {
+      throw PlacedError("{}: {}", place_of(mesh, error.face(), file.string()), error.what());
+    }
+  });
 }
 
 /// All bytes of a file. @throws InputError

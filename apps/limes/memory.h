@@ -23,9 +23,8 @@ namespace limes::app {
 
 /// Stops the work, as an interrupt does, when a sixteenth of the memory that the process may have is left
 /// (at most 64 MiB), and ends the process with its message when half of that is left, because libraries
-/// that solve and sort do not listen. (A
-/// limit of the system would not do: libraries reserve buffers that they never touch, and some of them
-/// wait forever when they get none.)
+/// that solve and sort do not listen. (A limit of the system would not do: libraries reserve buffers that
+/// they never touch, and some of them wait forever when they get none.)
 class MemoryWatch {
  public:
   explicit MemoryWatch(std::int64_t limit);

@@ -19,10 +19,6 @@ double bytes_of_element(const Problem& problem) {
   return problem.mesh.scheme == "linear" ? 3.8e3 : 24e3;
 }
 
-constexpr int unknowns_of_vertex(ModelKind kind) {
-  return kind == ModelKind::poisson ? 1 : kind == ModelKind::mitc4 ? 5 : 2;
-}
-
 /// A key that multiplies elements.
 struct Levels {
   const Place* place;
@@ -45,7 +41,7 @@ void require_levels(const Levels& levels, ModelKind kind, const Scheme& scheme,
                                      : "a coarser mesh is right";
     throw InputError("{}: level {} would have {} elements and about {} unknowns: {}; {}",
                      levels.place->text, level, size.faces,
-                     size.vertices * unknowns_of_vertex(kind), reason, possible);
+                     size.vertices * unknowns_per_vertex(kind), reason, possible);
   }
 }
 

@@ -25,10 +25,6 @@ bool is_written_directly(const fs::path& target) {
   return fs::exists(target, ignored) && !fs::is_regular_file(target, ignored);
 }
 
-}  // namespace
-
-namespace {
-
 /// The temporary files that are there. Never destroyed: a process may end while it is in use.
 struct Unfinished {
   std::recursive_mutex mutex;

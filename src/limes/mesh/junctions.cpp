@@ -105,8 +105,8 @@ void Cut::require_apart() const {
                      b = corners_[static_cast<std::size_t>(next_[h].value)];
       if (edges.insert(std::minmax(a, b)).second) continue;
       throw InputError(
-          "the edge of vertices {} and {} has {} faces, and both ends lie inside "
-          "a piece, which cannot be cut along one edge; split the edge once",
+          "the edge of vertices {} and {} has {} faces, and both ends lie inside a piece, which "
+          "cannot be cut along one edge; split the edge once",
           corner(h).value, corner(next_[h]).value, group(g).size());
     }
   }

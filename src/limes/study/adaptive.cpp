@@ -27,14 +27,15 @@ int deepest_level(const AdaptSettings& adapt) {
   return Forest::max_level - (adapt.closure == Closure::hanging ? adapt.reference_levels : 0);
 }
 
-AdaptTargets targets_of(const AdaptSettings& adapt, int dofs_per_vertex) {
+AdaptTargets targets_of(const Problem& problem) {
+  const AdaptSettings& adapt = *problem.adapt;
   return {.mark = adapt.mark,
           .share = adapt.share,
           .closure = adapt.closure,
           .deepest_level = deepest_level(adapt),
           .error = adapt.target_error,
           .max_dofs = adapt.max_dofs,
-          .dofs_per_vertex = dofs_per_vertex,
+          .dofs_per_vertex = unknowns_per_vertex(problem.model.kind),
           .max_steps = adapt.max_steps,
           .max_seconds = adapt.max_seconds,
           .reference_energy = adapt.reference_energy};
@@ -73,9 +74,8 @@ Forest plane_forest(const Problem& problem, const Mesh& start, const Scheme& sch
 }
 
 AdaptiveRun run_adaptively(const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,
-                           int dofs_per_vertex,
                            const std::function<StepSolution(const ForestMesh&)>& solve) {
-  AdaptTargets targets = targets_of(*problem.adapt, dofs_per_vertex);
+  AdaptTargets targets = targets_of(problem);
   keep_state(problem, forest, targets);
   AdaptiveRun run;
   const auto solve_step = [&](const ForestMesh& mesh) {

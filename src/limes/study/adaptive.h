@@ -34,7 +34,7 @@ struct AdaptiveRun {
 /// @param solve  solves step_problem() on the mesh of a step
 /// @param seams  edges of its control mesh where parts are tied
 [[nodiscard]] AdaptiveRun run_adaptively(
-    const Problem& problem, Forest& forest, std::span<const TiedEdge> seams, int dofs_per_vertex,
+    const Problem& problem, Forest& forest, std::span<const TiedEdge> seams,
     const std::function<StepSolution(const ForestMesh&)>& solve);
 
 /// One object per step, for result.json.

@@ -94,6 +94,11 @@ struct LoadSettings {
   Origin origin = {};
 };
 
+/// Unknowns of a vertex that is no kink.
+[[nodiscard]] constexpr int unknowns_per_vertex(ModelKind kind) {
+  return kind == ModelKind::poisson ? 1 : kind == ModelKind::mitc4 ? 5 : 2;
+}
+
 /// Of what a load's formulas say: "force", "flux".
 [[nodiscard]] const Place& place_of_value(const LoadSettings& load);
 

@@ -11,18 +11,17 @@ namespace limes {
 Mesh refine_control(const Problem& problem, const Mesh& control, const RefineOptions& options) {
   const std::string file = mesh_path(problem).string();
   const Scheme& scheme = find_scheme(problem.mesh.scheme);
-  const auto fail = [&](const std::string& place, const char* what) {
-    fail_at(culprit({place, false, 0}, {problem.mesh.origin.of("scheme")}), "{}", what);
+  const auto blamed = [&](const std::string& place) {
+    return culprit({place, false, 0}, {problem.mesh.origin.of("scheme")});
   };
   try {
     require_faces(control.topology, scheme);
     return refine(control, scheme, options);
   } catch (const FaceError& error) {
-    fail(place_of(control, error.face(), file), error.what());
+    fail_with(blamed(place_of(control, error.face(), file)), error.what());
   } catch (const InputError& error) {
-    fail(file, error.what());
+    fail_with(blamed(file), error.what());
   }
-  return {};
 }
 
 }  // namespace limes

@@ -79,8 +79,7 @@ ForestMesh reference_mesh(const Problem& problem, const Forest& forest, const Fo
 /// those of the last step.
 template <class Result, class Build, class Solve>
 void solve_in_steps(const Problem& problem, const ModelOptions& options, const Build& build,
-                    const Solve& solve, int dofs_per_vertex, const PhaseCallback& on_phase,
-                    Result& result) {
+                    const Solve& solve, const PhaseCallback& on_phase, Result& result) {
   MeshFile file = read_control_mesh(problem, options);
   require_refinable(file.mesh, mesh_path(problem).string());
   require_kept_faces(problem, file.mesh.tags);
@@ -89,25 +88,24 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options, const B
       problem, refine_control(problem, file.mesh, {.levels = problem.mesh.levels}), scheme);
   const Problem step = step_problem(problem);
   int number = 0;
-  result.adaptive =
-      run_adaptively(problem, forest, {}, dofs_per_vertex, [&](const ForestMesh& mesh) {
-        if (on_phase)
-          on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
-        result.model = build(step, mesh.mesh, mesh.hanging);
-        result.solution = solve(result.model);
-        StepSolution out{
-            result.solution.num_unknowns, static_cast<int>(result.model.space->elements().size()),
-            result.solution.strain_energy, estimate_error(result.model, result.solution)};
-        if (const int levels = problem.adapt->reference_levels; levels > 0) {
-          const ForestMesh split = reference_mesh(problem, forest, mesh, scheme);
-          const PlaneModel finer = build(step, split.mesh, split.hanging);
-          const auto reference = solve(finer);
-          out.finer_squares =
-              error_against(*finer.space, energy_density(finer, reference), levels,
-                            *result.model.space, energy_density(result.model, result.solution));
-        }
-        return out;
-      });
+  result.adaptive = run_adaptively(problem, forest, {}, [&](const ForestMesh& mesh) {
+    if (on_phase)
+      on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
+    result.model = build(step, mesh.mesh, mesh.hanging);
+    result.solution = solve(result.model);
+    StepSolution out{result.solution.num_unknowns,
+                     static_cast<int>(result.model.space->elements().size()),
+                     result.solution.strain_energy, estimate_error(result.model, result.solution)};
+    if (const int levels = problem.adapt->reference_levels; levels > 0) {
+      const ForestMesh split = reference_mesh(problem, forest, mesh, scheme);
+      const PlaneModel finer = build(step, split.mesh, split.hanging);
+      const auto reference = solve(finer);
+      out.finer_squares =
+          error_against(*finer.space, energy_density(finer, reference), levels, *result.model.space,
+                        energy_density(result.model, result.solution));
+    }
+    return out;
+  });
   result.model.problem = problem;
   result.model.remarks = std::move(file.remarks);
 }
@@ -120,28 +118,25 @@ void solve_in_steps(const Problem& problem, const ModelOptions& options,
   MeshFile file = read_control_mesh(problem, options);
   ShellForest shell = shell_forest(problem, file.mesh);
   int number = 0;
-  constexpr int dofs_per_vertex = 5;
-  result.adaptive = run_adaptively(
-      problem, shell.forest, shell.seams, dofs_per_vertex, [&](const ForestMesh& mesh) {
-        if (on_phase)
-          on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
-        const std::vector<TiedEdge> tied = tied_edges(shell.forest, mesh, shell.seams);
-        ForestMesh smoothed = mesh;
-        if (problem.mesh.smoothing > 0)
-          smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, tied, smoothed);
-        result.model = shell_model_on(problem, std::move(smoothed.mesh), tied, mesh.hanging);
-        result.solution = solve_shell(result.model);
-        if (on_step) on_step(result.model, result.solution);
-        StepSolution out{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
-                         result.solution.strain_energy,
-                         estimate_error(result.model, result.solution)};
-        if (const int levels = problem.adapt->reference_levels; levels > 0) {
-          const ShellModel finer = finer_model(result.model, shell, tied, mesh, levels);
-          out.finer_squares =
-              error_against(finer, solve_shell(finer), levels, result.model, result.solution);
-        }
-        return out;
-      });
+  result.adaptive = run_adaptively(problem, shell.forest, shell.seams, [&](const ForestMesh& mesh) {
+    if (on_phase)
+      on_phase(fmt::format("step {}, {} faces", number++, mesh.mesh.topology.num_faces()));
+    const std::vector<TiedEdge> tied = tied_edges(shell.forest, mesh, shell.seams);
+    ForestMesh smoothed = mesh;
+    if (problem.mesh.smoothing > 0)
+      smooth_on_surfaces(problem, shell.forest, shell.areas, shell.curves, tied, smoothed);
+    result.model = shell_model_on(problem, std::move(smoothed.mesh), tied, mesh.hanging);
+    result.solution = solve_shell(result.model);
+    if (on_step) on_step(result.model, result.solution);
+    StepSolution out{result.solution.num_unknowns, mesh.mesh.topology.num_faces(),
+                     result.solution.strain_energy, estimate_error(result.model, result.solution)};
+    if (const int levels = problem.adapt->reference_levels; levels > 0) {
+      const ShellModel finer = finer_model(result.model, shell, tied, mesh, levels);
+      out.finer_squares =
+          error_against(finer, solve_shell(finer), levels, result.model, result.solution);
+    }
+    return out;
+  });
   result.model.control = std::move(file.mesh);
   result.model.remarks = std::move(file.remarks);
 }
@@ -173,7 +168,7 @@ PlaneResult run_problem(const Problem& problem, const ModelOptions& options,
   PlaneResult result;
   if (problem.adapt) {
     phase("steps",
-          [&] { solve_in_steps(problem, options, build_model, solve_plane, 2, on_phase, result); });
+          [&] { solve_in_steps(problem, options, build_model, solve_plane, on_phase, result); });
   } else {
     result.model = phase("model", [&] { return read_model(problem, options); });
     result.solution = phase("solve", [&] { return solve_plane(result.model); });
@@ -192,9 +187,8 @@ PoissonResult run_poisson_problem(const Problem& problem, const ModelOptions& op
   Phases phase(on_phase, timings);
   PoissonResult result;
   if (problem.adapt) {
-    phase("steps", [&] {
-      solve_in_steps(problem, options, build_model, solve_poisson, 1, on_phase, result);
-    });
+    phase("steps",
+          [&] { solve_in_steps(problem, options, build_model, solve_poisson, on_phase, result); });
   } else {
     result.model = phase("model", [&] { return read_model(problem, options); });
     result.solution = phase("solve", [&] { return solve_poisson(result.model); });

@@ -49,8 +49,7 @@ void add_probes(const ShellResult& result, HtmlReport& report) {
   report.paragraph(
       "What the nearest points of the elements do. Vectors have components along the axes x, y, z "
       "of the model; rotations are those of one small turn about these axes, by the right-hand "
-      "rule, in "
-      "radians.");
+      "rule, in radians.");
   Table places{in_unit("Points and displacements", units.length),
                {"probe", "x", "y", "z", "u_{x}", "u_{y}", "u_{z}"},
                {}};
