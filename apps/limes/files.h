@@ -7,7 +7,7 @@
 
 #include "limes/core/error.h"
 #include "limes/mesh/face_error.h"
-#include "limes/study/place.h"
+#include "limes/problem/place.h"
 #include "options.h"
 
 namespace limes::app {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "limes/mesh/mesh.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace limes::app {
 

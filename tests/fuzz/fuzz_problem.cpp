@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "limes/core/error.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace {
 

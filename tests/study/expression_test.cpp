@@ -1,4 +1,4 @@
-#include "limes/study/expression.h"
+#include "limes/problem/expression.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "limes/core/error.h"
-#include "limes/study/expression_syntax.h"
+#include "limes/problem/expression_syntax.h"
 
 namespace limes {
 namespace {

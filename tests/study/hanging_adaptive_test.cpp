@@ -17,6 +17,7 @@
 #include "convergence/plane_meshes.h"
 #include "limes/core/error.h"
 #include "limes/study/adaptive.h"
+#include "limes/study/poisson_conditions.h"
 #include "limes/study/run.h"
 #include "limes/subdiv/schemes.h"
 

@@ -257,8 +257,9 @@ fix = ["ux", "uy", "uz", "rx", "ry"]
 
 // Loads at hanging nodes, supports along a line that has some, and as many reactions as loads.
 TEST_P(EverySeed, ReactionsAreTheLoads) {
-  const Problem problem = read_problem(std::filesystem::path(LIMES_DATA_DIR) / "hole_5.toml",
-                                       {"adapt.closure=hanging", "mesh.levels=0"});
+  const std::vector<std::string> overrides{"adapt.closure=hanging", "mesh.levels=0"};
+  const Problem problem =
+      read_problem(std::filesystem::path(LIMES_DATA_DIR) / "hole_5.toml", overrides);
   const Mesh control = read_control_mesh(problem, {}).mesh;
   ShellForest shell = shell_forest(problem, control);
   split_here_and_there(shell.forest, 2, GetParam());

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "limes/study/expression_syntax.h"
-#include "limes/study/problem.h"
-#include "limes/study/problem_keys.h"
+#include "limes/problem/expression_syntax.h"
+#include "limes/problem/problem.h"
+#include "limes/problem/problem_keys.h"
 
 namespace limes {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "limes/core/error.h"
-#include "limes/study/problem.h"
-#include "limes/study/problem_keys.h"
+#include "limes/problem/problem.h"
+#include "limes/problem/problem_keys.h"
 
 namespace limes {
 

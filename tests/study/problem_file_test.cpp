@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "limes/core/error.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 #include "study/problem_draft.h"
 
 namespace limes {

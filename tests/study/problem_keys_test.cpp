@@ -1,4 +1,4 @@
-#include "limes/study/problem_keys.h"
+#include "limes/problem/problem_keys.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "limes/study/problem_overrides.h"
+#include "limes/problem/problem_overrides.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

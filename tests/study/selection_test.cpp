@@ -1,4 +1,4 @@
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

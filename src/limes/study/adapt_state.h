@@ -1,7 +1,7 @@
 #pragma once
 
 #include "limes/adapt/loop.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace limes {
 

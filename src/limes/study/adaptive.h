@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "limes/adapt/loop.h"
+#include "limes/problem/problem.h"
 #include "limes/report/figure.h"
 #include "limes/report/html.h"
-#include "limes/study/problem.h"
 
 namespace limes {
 

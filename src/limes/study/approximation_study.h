@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "limes/problem/toml_document.h"
 #include "limes/study/approximation.h"
-#include "limes/study/toml_document.h"
 
 namespace limes {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "limes/io/io.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace limes {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "limes/study/surface_settings.h"
+#include "limes/problem/surface_settings.h"
 
 namespace limes {
 

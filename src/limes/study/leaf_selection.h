@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "limes/mesh/measure.h"
-#include "limes/study/condition.h"
-#include "limes/study/selection.h"
+#include "limes/problem/condition.h"
+#include "limes/problem/selection.h"
 #include "limes/subdiv/local_refinement.h"
 
 namespace limes {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "limes/core/error.h"
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 #include "limes/study/supports.h"
 
 namespace limes {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 
 namespace limes {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace limes {
 

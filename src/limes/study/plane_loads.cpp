@@ -4,8 +4,8 @@
 
 #include "limes/core/error.h"
 #include "limes/fem/load.h"
+#include "limes/problem/selection.h"
 #include "limes/space/element_of_face.h"
-#include "limes/study/selection.h"
 #include "limes/study/supports.h"
 
 namespace limes {

@@ -7,9 +7,9 @@
 
 #include "limes/adapt/recovery.h"
 #include "limes/fem/plane_elasticity.h"
+#include "limes/problem/selection.h"
 #include "limes/space/constraints.h"
 #include "limes/study/control_mesh.h"
-#include "limes/study/selection.h"
 #include "limes/subdiv/hanging_faces.h"
 
 namespace limes {

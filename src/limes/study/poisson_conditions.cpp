@@ -6,7 +6,7 @@
 #include "limes/fem/load.h"
 #include "limes/mesh/face_error.h"
 #include "limes/mesh/pieces.h"
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 #include "limes/study/supports.h"
 
 namespace limes {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 #include "limes/subdiv/refine.h"
 
 namespace limes {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "limes/mesh/mesh.h"
+#include "limes/problem/toml_document.h"
 #include "limes/study/control_mesh.h"
 #include "limes/study/result_parts.h"
-#include "limes/study/toml_document.h"
 
 namespace limes {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limes/core/error.h"
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 
 namespace limes {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limes/mesh/seams.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 #include "limes/study/surface_placement.h"
 #include "limes/subdiv/forest_mesh.h"
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "limes/core/error.h"
+#include "limes/problem/selection.h"
 #include "limes/study/exact_surface.h"
-#include "limes/study/selection.h"
 #include "limes/subdiv/hanging_faces.h"
 
 namespace limes {

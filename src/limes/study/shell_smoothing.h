@@ -4,7 +4,7 @@
 
 #include "limes/adapt/smoothing.h"
 #include "limes/mesh/seams.h"
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 namespace limes {
 

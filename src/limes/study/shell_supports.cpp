@@ -13,7 +13,7 @@
 
 #include "limes/core/error.h"
 #include "limes/mesh/pieces.h"
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 
 namespace limes {
 namespace {

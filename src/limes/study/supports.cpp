@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
+#include "limes/problem/selection.h"
 #include "limes/space/boundary_trace.h"
-#include "limes/study/selection.h"
 
 namespace limes {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "limes/problem/selection.h"
 #include "limes/space/constraints.h"
 #include "limes/study/plane_model.h"
-#include "limes/study/selection.h"
 
 namespace limes {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limes/mesh/seams.h"
-#include "limes/study/surface_settings.h"
+#include "limes/problem/surface_settings.h"
 #include "limes/subdiv/forest_mesh.h"
 #include "limes/subdiv/placement.h"
 

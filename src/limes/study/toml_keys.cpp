@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "limes/core/error.h"
-#include "limes/study/suggest.h"
+#include "limes/problem/suggest.h"
 
 namespace limes {
 

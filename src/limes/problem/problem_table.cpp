@@ -1,4 +1,4 @@
-#include "limes/study/problem_table.h"
+#include "limes/problem/problem_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/selection.h"
-#include "limes/study/suggest.h"
+#include "limes/problem/selection.h"
+#include "limes/problem/suggest.h"
 
 namespace limes::problem_file {
 namespace {

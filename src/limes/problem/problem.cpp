@@ -1,4 +1,4 @@
-#include "limes/study/problem.h"
+#include "limes/problem/problem.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/problem_overrides.h"
-#include "limes/study/problem_surfaces.h"
-#include "limes/study/problem_table.h"
-#include "limes/study/toml_document.h"
+#include "limes/problem/problem_overrides.h"
+#include "limes/problem/problem_surfaces.h"
+#include "limes/problem/problem_table.h"
+#include "limes/problem/toml_document.h"
 
 namespace limes {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "limes/study/problem_table.h"
+#include "limes/problem/problem_table.h"
 
 namespace limes::problem_file {
 

@@ -1,4 +1,4 @@
-#include "limes/study/problem_overrides.h"
+#include "limes/problem/problem_overrides.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/suggest.h"
+#include "limes/problem/suggest.h"
 
 namespace limes::problem_file {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "limes/study/surface_settings.h"
-#include "limes/study/toml.h"
+#include "limes/problem/surface_settings.h"
+#include "limes/problem/toml.h"
 
 namespace limes::problem_file {
 

@@ -1,4 +1,4 @@
-#include "limes/study/toml_document.h"
+#include "limes/problem/toml_document.h"
 
 #include <fmt/format.h>
 

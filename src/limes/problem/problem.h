@@ -9,9 +9,9 @@
 
 #include "limes/adapt/marking.h"
 #include "limes/core/types.h"
-#include "limes/study/expression.h"
-#include "limes/study/place.h"
-#include "limes/study/surface_settings.h"
+#include "limes/problem/expression.h"
+#include "limes/problem/place.h"
+#include "limes/problem/surface_settings.h"
 #include "limes/subdiv/closure.h"
 
 namespace limes {

@@ -1,4 +1,4 @@
-#include "limes/study/condition.h"
+#include "limes/problem/condition.h"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "limes/core/types.h"
-#include "limes/study/expression.h"
-#include "limes/study/place.h"
+#include "limes/problem/expression.h"
+#include "limes/problem/place.h"
 
 namespace limes {
 

@@ -1,4 +1,4 @@
-#include "limes/study/selection.h"
+#include "limes/problem/selection.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/condition.h"
-#include "limes/study/expression.h"
-#include "limes/study/suggest.h"
+#include "limes/problem/condition.h"
+#include "limes/problem/expression.h"
+#include "limes/problem/suggest.h"
 
 namespace limes {
 namespace {

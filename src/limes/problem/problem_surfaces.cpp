@@ -1,4 +1,4 @@
-#include "limes/study/problem_surfaces.h"
+#include "limes/problem/problem_surfaces.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "limes/core/error.h"
-#include "limes/study/problem_table.h"
-#include "limes/study/toml_document.h"
+#include "limes/problem/problem_table.h"
+#include "limes/problem/toml_document.h"
 
 namespace limes::problem_file {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "limes/core/types.h"
-#include "limes/study/expression.h"
-#include "limes/study/place.h"
-#include "limes/study/problem_keys.h"
-#include "limes/study/toml.h"
+#include "limes/problem/expression.h"
+#include "limes/problem/place.h"
+#include "limes/problem/problem_keys.h"
+#include "limes/problem/toml.h"
 
 namespace limes::problem_file {
 

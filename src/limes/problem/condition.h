@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "limes/core/types.h"
-#include "limes/study/expression.h"
+#include "limes/problem/expression.h"
 
 namespace limes {
 

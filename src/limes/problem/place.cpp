@@ -1,4 +1,4 @@
-#include "limes/study/place.h"
+#include "limes/problem/place.h"
 
 namespace limes {
 

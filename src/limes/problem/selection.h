@@ -7,7 +7,7 @@
 
 #include "limes/mesh/adjacency.h"
 #include "limes/mesh/mesh.h"
-#include "limes/study/place.h"
+#include "limes/problem/place.h"
 
 namespace limes {
 

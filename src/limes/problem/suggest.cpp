@@ -1,4 +1,4 @@
-#include "limes/study/suggest.h"
+#include "limes/problem/suggest.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "limes/study/expression.h"
+#include "limes/problem/expression.h"
 
 #include <muParser.h>
 
@@ -8,7 +8,7 @@
 
 #include "limes/core/error.h"
 #include "limes/core/text.h"
-#include "limes/study/expression_syntax.h"
+#include "limes/problem/expression_syntax.h"
 
 namespace limes {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "limes/study/toml.h"
+#include "limes/problem/toml.h"
 
 namespace limes {
 
